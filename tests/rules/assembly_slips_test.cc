@@ -200,6 +200,8 @@ TEST(AssemblySlips, LikePartsHaveCoordinatesInCommon) {
   // What was left out leaves no number; another height is no slip; two odd ones are how it was made.
   EXPECT_EQ(said(rule, quadrotor("0 0 0")), kInformed);
   EXPECT_EQ(said(rule, quadrotor("-0.13 0.2 0.05")), kQuiet);
+  // All are above the body but one.
+  EXPECT_EQ(said(rule, quadrotor("-0.13 0.2 -0.02")), kWarned);
   EXPECT_EQ(said(rule, quadrotor("-0.013 0.02 0.002", "-0.013 -0.02 0.002")), kQuiet);
 }
 
@@ -264,6 +266,9 @@ TEST(AssemblySlips, ShapesThatAreAsLongBeginAndEndTogether) {
   // A tenth of the length is what bodies differ by, and one of another length says nothing.
   EXPECT_EQ(said(rule, body("-0.045 0 0.05", "0.2 0.2 0.1")), kQuiet);
   EXPECT_EQ(said(rule, body("0 0 0.05", "0.24 0.2 0.1")), kQuiet);
+  // Half of its own length, about which a collision lies.
+  EXPECT_EQ(said(rule, body("-0.06 0 0", "0.2 0.2 0.1")), kInformed);
+  EXPECT_EQ(said(rule, body("-0.06 0 0", "0.21 0.2 0.095")), kInformed);
 }
 
 TEST(AssemblySlips, TwinsWithoutShapesAreInOnePlace) {
@@ -278,6 +283,15 @@ TEST(AssemblySlips, TwinsWithoutShapesAreInOnePlace) {
   };
   EXPECT_EQ(said("twins-in-one-place", axle("0 0.2 0.1")), kWarned);
   EXPECT_EQ(said("twins-in-one-place", axle("0 -0.2 0.1")), kQuiet);
+  // Rods of 0.3 m to the left, of which one points ahead and one back: far aside for a gripper, or near.
+  const auto rods = [&](const std::string& at) {
+    const std::string rod = "<box size='0.3 0.02 0.02'/>";
+    return link("body", "<box size='0.1 0.1 0.1'/>") + link("left_arm", rod, "0.1 0 0") +
+           link("right_arm", rod, "-0.1 0 0") + joint("left_arm", "body", at) +
+           joint("right_arm", "body", at);
+  };
+  EXPECT_EQ(said("twins-in-one-place", rods("0 0.2 0.1")), kWarned);
+  EXPECT_EQ(said("twins-in-one-place", rods("0 0.02 0.1")), kQuiet);
 }
 
 }  // namespace

@@ -189,6 +189,32 @@ std::optional<Shifted> shifted(const SeenShape& touched, const SeenShape& seen) 
   return found;
 }
 
+/// A cylinder or box that lies half its length off its visual, as one whose origin was left out does: the coordinate
+/// that puts it there.
+std::optional<Shifted> half_off(const SeenShape& touched, const SeenShape& seen) {
+  // Of their length along the axis.
+  constexpr double kTogether = 0.1;
+  constexpr double kHalf = 0.05;
+  std::optional<Shifted> found;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = kCoordinates[k];
+    const double low = touched.bounds_L.min.*at - seen.bounds_L.min.*at;
+    const double high = touched.bounds_L.max.*at - seen.bounds_L.max.*at;
+    const double length = touched.bounds_L.max.*at - touched.bounds_L.min.*at;
+    const double shift = (low + high) / 2;
+    if (std::abs(shift) < kTogether * length) {
+      if (std::abs(high - low) > kTogether * length) return std::nullopt;
+      continue;
+    }
+    const bool half = std::abs(std::abs(shift) - length / 2) < kHalf * length;
+    const bool left_out = touched.pose->pose.value.translation.*at == 0;
+    if (found || !half || !left_out || std::abs(high - low) > kTogether * length)
+      return std::nullopt;
+    found = Shifted{k, std::abs(shift), length};
+  }
+  return found;
+}
+
 /// Of two shapes that differ in one coordinate the one where it was left out; else the one that is farther from the
 /// center of mass along it. Null where neither tells.
 const SeenShape* shifted_one(const SeenShape& a, const SeenShape& b, std::size_t k,
@@ -215,6 +241,18 @@ void look_for_shifted(std::uint32_t i, Context& context) {
   const SeenShape& seen = all[0].is_collision() ? all[1] : all[0];
   // Of one shape written twice another rule speaks.
   if (touched.geometry->shape.index() == seen.geometry->shape.index()) return;
+  if (const auto off = half_off(touched, seen)) {
+    context.report(
+        {.where = touched.pose->pose.written ? place_of(*touched.pose, context)
+                                             : touched.geometry->site.name,
+         .message = fmt::format("the collision is {:.3g} m away from the visual along {}, half of "
+                                "its own length",
+                                off->apart, coordinate_name(off->coordinate)),
+         .subject = context.subject(context.root().links[i]),
+         .help = "its origin is its middle: was it left out?",
+         .severity = Severity::kInfo});
+    return;
+  }
   const auto found = shifted(touched, seen);
   if (!found) return;
   const model::Link& link = context.root().links[i];

@@ -483,6 +483,69 @@ std::optional<OddPlace> odd_place(const std::vector<std::uint32_t>& group,
   return odd;
 }
 
+/// A coordinate that all of several like parts but one have with one sign.
+struct OddSign {
+  std::uint32_t wrong = 0;
+  std::size_t field = 0;
+  std::size_t coordinate = 0;
+};
+
+/// In those that differ in nothing else, of four or more: two and two are the sides of a robot.
+std::optional<OddSign> odd_sign(const std::vector<std::uint32_t>& group,
+                                const std::vector<Fields>& all) {
+  constexpr std::size_t kFewestLike = 4;
+  if (group.size() < kFewestLike) return std::nullopt;
+  const Fields& first = all[group.front()];
+  for (const std::uint32_t one : group) {
+    const auto found = compared_fields(first, all[one]);
+    if (!found || !found->different.empty() || !found->turned.empty()) return std::nullopt;
+  }
+  std::optional<OddSign> odd;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i].kind != FieldKind::kOrigin) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto has_size = [&](std::uint32_t one) {
+        return same_size(all[one][i].values[k], first[i].values[k]);
+      };
+      if (first[i].values[k] == 0 || !std::all_of(group.begin(), group.end(), has_size)) continue;
+      std::vector<std::uint32_t> below;
+      for (const std::uint32_t one : group) {
+        if (all[one][i].pose->pose.value.translation.*kCoordinates[k] < 0) below.push_back(one);
+      }
+      if (below.size() != 1 && below.size() + 1 != group.size()) continue;
+      if (odd) return std::nullopt;
+      std::uint32_t wrong = below.front();
+      if (below.size() > 1) {
+        wrong = *std::find_if(group.begin(), group.end(), [&](std::uint32_t one) {
+          return std::find(below.begin(), below.end(), one) == below.end();
+        });
+      }
+      odd = OddSign{wrong, i, k};
+    }
+  }
+  return odd;
+}
+
+template <class Entity>
+void report_sign(const OddSign& odd, std::size_t count, const std::vector<Entity>& all,
+                 const std::vector<Fields>& fields, Context& context) {
+  constexpr double kFarEnough = 5e-3;  // m
+  const SiblingField& wrong = fields[odd.wrong][odd.field];
+  model::Vector3 value = wrong.pose->pose.value.translation;
+  if (std::abs(value.*kCoordinates[odd.coordinate]) < kFarEnough) return;
+  value.*kCoordinates[odd.coordinate] = -1 * value.*kCoordinates[odd.coordinate];
+  context.report(
+      {.where = wrong.span,
+       .message = fmt::format(
+           "{} {} has another sign in {} than those of {} parts of the same kind", name_of(wrong),
+           written_as(wrong.pose->pose.value.translation), coordinate_name(odd.coordinate), count),
+       .subject = context.subject(all[odd.wrong]),
+       .help = fmt::format("with {} it is as in the others: the sign of {} was lost",
+                           written_as(value), coordinate_name(odd.coordinate)),
+       .fix = translation_fix(*wrong.pose, value, context),
+       .cause = all[odd.wrong].name.value + name_of(wrong)});
+}
+
 template <class Entity>
 void report_place(const OddPlace& odd, std::size_t count, const std::vector<Entity>& all,
                   const std::vector<Fields>& fields, Context& context) {
@@ -552,6 +615,9 @@ void check_family(const std::vector<Entity>& all, const List& list, const Suppor
       const auto place = odd_place(group, of_all);
       if (place && reported.emplace(place->wrong, *place_field(of_all[place->wrong])).second)
         report_place(*place, group.size() - 1, all, of_all, context);
+      const auto sign = odd_sign(group, of_all);
+      if (sign && reported.emplace(sign->wrong, sign->field).second)
+        report_sign(*sign, group.size() - 1, all, of_all, context);
     }
   }
 }
