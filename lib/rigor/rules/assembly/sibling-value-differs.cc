@@ -285,19 +285,12 @@ bool is_elsewhere(const SiblingField& a, const SiblingField& b) {
   return false;
 }
 
-/// Of two whose shapes are turned otherwise in one place: that one is not turned at all, and the other by no half
-/// turn, as the wheels of two sides are.
+/// Of two whose shapes are turned otherwise in one place: that one is not turned at all.
 std::vector<Odd> odd_rotation(std::uint32_t a, std::uint32_t b, std::size_t field,
                               const std::vector<Fields>& all) {
-  const SiblingField& one = all[a][field];
-  const SiblingField& other = all[b][field];
-  if (is_empty(one) == is_empty(other)) return {};
-  constexpr double kHalfTurn = 0.99;
-  for (const SiblingField* turned : {&one, &other}) {
-    const model::Quaternion& q = turned->pose->pose.value.rotation;
-    if (std::max({std::abs(q.x), std::abs(q.y), std::abs(q.z)}) > kHalfTurn) return {};
-  }
-  if (is_empty(one)) return {{a, field, {b}}};
+  const bool first = is_empty(all[a][field]), second = is_empty(all[b][field]);
+  if (first == second) return {};
+  if (first) return {{a, field, {b}}};
   return {{b, field, {a}}};
 }
 
@@ -612,6 +605,12 @@ void check_family(const std::vector<Entity>& all, const List& list, const Suppor
         reported.emplace(odd.wrong, odd.field);
         report(odd, all, of_all, context);
       }
+      // A thumb is at another side than fingers.
+      const auto is_alike = [&](std::uint32_t i) {
+        return robot::family_name(all[i].name.value) ==
+               robot::family_name(all[group.front()].name.value);
+      };
+      if (!std::all_of(group.begin(), group.end(), is_alike)) continue;
       const auto place = odd_place(group, of_all);
       if (place && reported.emplace(place->wrong, *place_field(of_all[place->wrong])).second)
         report_place(*place, group.size() - 1, all, of_all, context);

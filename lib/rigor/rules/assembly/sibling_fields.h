@@ -150,6 +150,11 @@ class SiblingLister {
       turned = rotate(q, {0, 0, 1});
       turned.z = 0;
     }
+    // Half a turn is how a part is mounted on the other side.
+    constexpr double kHalfTurn = 0.999;
+    if (std::max({std::abs(turned.x), std::abs(turned.y), std::abs(turned.z)}) > kHalfTurn &&
+        !round)
+      turned = {};
     constexpr double kRounded = 1e-3;  // 1.57 is a right angle
     const auto size = [](double x) { return std::abs(x) < kRounded ? 0 : std::abs(x); };
     fields_.push_back({.part = part,

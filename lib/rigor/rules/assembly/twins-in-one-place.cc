@@ -63,6 +63,7 @@ bool frames_in_one_place(const robot::Twins& pair, Context& context) {
   const model::Joint& joint = context.root()[a.carrier];
   if (std::abs(joint.pose.pose.value.translation.y) < kAside && context.is_urdf()) return false;
   if (joint.type == model::JointType::kPrismatic) return false;
+  if (joint.type == model::JointType::kFixed) return true;
   const auto axis_a = context.frames().axis(a.carrier, 0);
   const auto axis_b = context.frames().axis(b.carrier, 0);
   return !axis_a || !axis_b || dot(*axis_a, *axis_b) > 0;
