@@ -481,6 +481,7 @@ struct OddSign {
   std::uint32_t wrong = 0;
   std::size_t field = 0;
   std::size_t coordinate = 0;
+  std::uint32_t like = 0;  ///< one of the others
 };
 
 /// In those that differ in nothing else, of four or more: two and two are the sides of a robot.
@@ -513,7 +514,7 @@ std::optional<OddSign> odd_sign(const std::vector<std::uint32_t>& group,
           return std::find(below.begin(), below.end(), one) == below.end();
         });
       }
-      odd = OddSign{wrong, i, k};
+      odd = OddSign{wrong, i, k, wrong == group.front() ? group.back() : group.front()};
     }
   }
   return odd;
@@ -530,8 +531,9 @@ void report_sign(const OddSign& odd, std::size_t count, const std::vector<Entity
   context.report(
       {.where = wrong.span,
        .message = fmt::format(
-           "{} {} has another sign in {} than those of {} parts of the same kind", name_of(wrong),
-           written_as(wrong.pose->pose.value.translation), coordinate_name(odd.coordinate), count),
+           "{} {} has another sign in {} than those of {} parts of the same kind, '{}' and others",
+           name_of(wrong), written_as(wrong.pose->pose.value.translation),
+           coordinate_name(odd.coordinate), count, all[odd.like].name.value),
        .subject = context.subject(all[odd.wrong]),
        .help = fmt::format("with {} it is as in the others: the sign of {} was lost",
                            written_as(value), coordinate_name(odd.coordinate)),
@@ -552,9 +554,10 @@ void report_place(const OddPlace& odd, std::size_t count, const std::vector<Enti
         fmt::format("{}{} {:.6g} m", shared.empty() ? "" : ", ", coordinate_name(k), right[k]);
   context.report(
       {.where = wrong.span.nowhere() ? all[odd.wrong].site.name : wrong.span,
-       .message = fmt::format("{} {} differs from those of {} parts of the same kind, which "
-                              "have {} but for the sign",
-                              wrong.name, written_as(written), count, shared),
+       .message =
+           fmt::format("{} {} differs from those of {} parts of the same kind, "
+                       "'{}' and others, which have {} but for the sign",
+                       wrong.name, written_as(written), count, all[odd.like].name.value, shared),
        .subject = context.subject(all[odd.wrong]),
        .help = odd.change ? fmt::format("with {} it has: {}", written_as(odd.change->value),
                                         odd.change->slip)
