@@ -88,6 +88,23 @@ test('a finding marks its link, its lines and its span', { skip }, async () => {
   assert.equal(await page.evaluate(() => rigor.finding), -1);
 });
 
+test('a finding shows where its part would be', { skip }, async () => {
+  const ghosts = [
+    { finding: 1, body: 0, pose: [0.25, 0, 0.5, 1, 0, 0, 0], scale: [1, 1, 1] },
+    { finding: 2, body: 1, pose: [2, 0, 0, 1, 0, 0, 0], scale: [1, 1, 1] },
+  ];
+  const page = await open(armFile({ change: (data) => Object.assign(data, { ghosts }) }));
+  const shown = () => page.evaluate(() => rigor.ghosts);
+  await page.locator('.finding', { hasText: 'mass-negative' }).click();
+  assert.deepEqual(await shown(), []);
+  const before = await sceneShot(page);
+  await page.locator('.finding', { hasText: 'limit-wide' }).click();
+  assert.deepEqual(await shown(), [[0.25, 0, 0.5]]);
+  assert.ok(!(await sceneShot(page)).equals(before));
+  await page.keyboard.press('Escape');
+  assert.deepEqual(await shown(), []);
+});
+
 test('columns of the source count code points', { skip }, async () => {
   const page = await open(
     armFile({

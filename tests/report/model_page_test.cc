@@ -288,5 +288,40 @@ TEST(PageChanges, ManyAreCounted) {
   EXPECT_EQ(json::parse(page_changes_json({})), json::parse(R"({"changes":[],"nothing":true})"));
 }
 
+TEST(ModelPage, GhostsAreThePartsThatAFixMoves) {
+  // A box of 2 m at x = 3, a ball of 1 m that it carries half a meter above, and a link that stays.
+  const auto robot = [](const std::string& x, const std::string& size) {
+    return "<robot name='r'><link name='a'><visual><geometry><sphere "
+           "radius='1'/></geometry></visual>"
+           "</link><link name='b'><visual><geometry><box size='" +
+           size +
+           " 2 2'/></geometry></visual></link><link name='c'><collision><geometry><sphere "
+           "radius='1'/></geometry></collision></link>"
+           "<joint name='j' type='fixed'><origin xyz='" +
+           x +
+           " 0 0'/><parent link='a'/><child link='b'/></joint>"
+           "<joint name='k' type='fixed'><origin xyz='0 0 0.5'/><parent link='b'/><child "
+           "link='c'/></joint></robot>";
+  };
+  const auto drawn = [&](const std::string& x, const std::string& size) {
+    return view::DrawnModel("r.urdf", {{"r.urdf", robot(x, size)}})
+        .draw({view::Layer::kVisual, view::Layer::kCollision, view::Layer::kFrames});
+  };
+  const view::Drawing now = drawn("3", "2");
+  EXPECT_TRUE(ghosts_between(now, drawn("3.0", "2"), 0).empty());
+  const std::vector<PageGhost> moved = ghosts_between(now, drawn("0.003", "2"), 7);
+  ASSERT_EQ(moved.size(), 2U);
+  EXPECT_EQ(moved[0].finding, 7U);
+  EXPECT_EQ(now.bodies[moved[0].body].link.value, 1U);
+  EXPECT_EQ(moved[0].pose.translation, (model::Vector3{0.003, 0, 0}));
+  EXPECT_EQ(moved[1].pose.translation, (model::Vector3{0.003, 0, 0.5}));
+  const std::vector<PageGhost> sized = ghosts_between(now, drawn("3", "0.2"), 7);
+  ASSERT_EQ(sized.size(), 1U);
+  EXPECT_EQ(sized[0].pose, now.bodies[sized[0].body].pose);
+  EXPECT_EQ(sized[0].scale, (model::Vector3{0.2, 2, 2}));
+  // Another robot has none.
+  EXPECT_TRUE(ghosts_between(now, view::Drawing{}, 7).empty());
+}
+
 }  // namespace
 }  // namespace rigor::report

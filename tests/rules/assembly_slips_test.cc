@@ -181,5 +181,118 @@ TEST(AssemblySlips, FramesOfAPairMayBeAnywhere) {
   EXPECT_EQ(said("sibling-value-differs", stereo), kQuiet);
 }
 
+/// Four rotors in two rows, of which the rear ones are nearer to each other; where the second is can be chosen.
+std::string quadrotor(const std::string& second, const std::string& third = "-0.13 -0.2 0.02") {
+  std::string text = link("body", "<box size='0.3 0.3 0.1'/>");
+  const std::vector<std::string> places{"0.13 -0.22 0.02", second, third, "0.13 0.22 0.02"};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string name = "rotor_" + std::to_string(i);
+    text += link(name, "<cylinder radius='0.1' length='0.005'/>") + joint(name, "body", places[i]);
+  }
+  return text;
+}
+
+TEST(AssemblySlips, LikePartsHaveCoordinatesInCommon) {
+  const std::string rule = "sibling-value-differs";
+  EXPECT_EQ(said(rule, quadrotor("-0.13 0.2 0.02")), kQuiet);
+  EXPECT_EQ(said(rule, quadrotor("-0.013 0.02 0.002")), kWarned);
+  EXPECT_EQ(said(rule, quadrotor("-0.13 0.2 0.2")), kWarned);
+  // What was left out leaves no number; another height is no slip; two odd ones are how it was made.
+  EXPECT_EQ(said(rule, quadrotor("0 0 0")), kInformed);
+  EXPECT_EQ(said(rule, quadrotor("-0.13 0.2 0.05")), kQuiet);
+  // All are above the body but one.
+  EXPECT_EQ(said(rule, quadrotor("-0.13 0.2 -0.02")), kWarned);
+  EXPECT_EQ(said(rule, quadrotor("-0.013 0.02 0.002", "-0.013 -0.02 0.002")), kQuiet);
+}
+
+/// A link with one collision, turned.
+std::string turned(const std::string& name, const std::string& shape, const std::string& rpy) {
+  return "<link name='" + name +
+         "'><inertial><mass value='0.1'/><inertia ixx='1e-4' ixy='0' ixz='0' iyy='1e-4' iyz='0' "
+         "izz='1e-4'/></inertial><collision><origin xyz='0.1 0 0' rpy='" +
+         rpy + "'/><geometry>" + shape + "</geometry></collision></link>";
+}
+
+TEST(AssemblySlips, ARotationIsLeftOutWhereTheOthersHaveIt) {
+  const std::string rule = "sibling-value-differs";
+  const std::string rod = "<cylinder radius='0.02' length='0.2'/>";
+  const auto legs = [&](const std::string& rpy) {
+    return turned("lf_leg", rod, "0 1.57 0") + turned("rf_leg", rod, "0 -1.5708 0") +
+           turned("lh_leg", rod, "0 1.57 0") + turned("rh_leg", rod, rpy);
+  };
+  EXPECT_EQ(said(rule, legs("0 1.57 0")), kQuiet);
+  EXPECT_EQ(said(rule, legs("0 1.57 1")), kQuiet);
+  EXPECT_EQ(said(rule, legs("0 0 0")), kWarned);
+  // About its own axis a rod may be turned.
+  EXPECT_EQ(said(rule, legs("0 0 0.5")), kWarned);
+  const auto pair = [&](const std::string& shape, const std::string& rpy) {
+    return link("body", shape) + turned("left_leg", shape, rpy) +
+           turned("right_leg", shape, "0 0 0");
+  };
+  EXPECT_EQ(said(rule, pair(rod, "0 1.57 0")), kInformed);
+  EXPECT_EQ(said(rule, pair(rod, "0 0 1.57")), kQuiet);
+  // A part that both sides have, mounted the other way round.
+  EXPECT_EQ(said(rule, pair("<box size='0.1 0.2 0.3'/>", "0 0 3.1416")), kQuiet);
+  EXPECT_EQ(said(rule, pair("<box size='0.1 0.2 0.3'/>", "0 0 1")), kInformed);
+  EXPECT_EQ(said(rule, pair("<sphere radius='0.1'/>", "0 0 1")), kQuiet);
+}
+
+TEST(AssemblySlips, ShapesOfALinkAreComparedByTheirSides) {
+  const auto bars = [](const std::string& right, const std::string& radius) {
+    return "<link name='cage'><collision name='top_left'><origin xyz='0.3 0.6 "
+           "1'/><geometry><sphere "
+           "radius='0.05'/></geometry></collision><collision name='top_right'><origin xyz='" +
+           right + "'/><geometry><sphere radius='" + radius +
+           "'/></geometry></collision></link><link name='a'/>" + joint("a", "cage", "0 0 0");
+  };
+  const std::string rule = "sibling-value-differs";
+  EXPECT_EQ(said(rule, bars("0.3 -0.6 1", "0.05")), kQuiet);
+  EXPECT_EQ(said(rule, bars("0.03 -0.06 0.1", "0.05")), kInformed);
+  EXPECT_EQ(said(rule, bars("0 0 0", "0.05")), kInformed);
+  EXPECT_EQ(said(rule, bars("0.3 -0.6 0.8", "0.05")), kQuiet);
+  // Of another size they are not made alike.
+  EXPECT_EQ(said(rule, bars("0.03 -0.06 0.1", "0.07")), kQuiet);
+}
+
+TEST(AssemblySlips, ShapesThatAreAsLongBeginAndEndTogether) {
+  const auto body = [](const std::string& at, const std::string& size) {
+    return "<link name='a'><visual><origin xyz='-0.06 0 0.05'/><geometry><cylinder radius='0.1' "
+           "length='0.1'/></geometry></visual><collision><origin xyz='" +
+           at + "'/><geometry><box size='" + size + "'/></geometry></collision></link>";
+  };
+  const std::string rule = "shape-origin-slip";
+  EXPECT_EQ(said(rule, body("-0.06 0 0.05", "0.2 0.2 0.1")), kQuiet);
+  EXPECT_EQ(said(rule, body("0 0 0.05", "0.2 0.2 0.1")), kInformed);
+  // A tenth of the length is what bodies differ by, and one of another length says nothing.
+  EXPECT_EQ(said(rule, body("-0.045 0 0.05", "0.2 0.2 0.1")), kQuiet);
+  EXPECT_EQ(said(rule, body("0 0 0.05", "0.24 0.2 0.1")), kQuiet);
+  // Half of its own length, about which a collision lies.
+  EXPECT_EQ(said(rule, body("-0.06 0 0", "0.2 0.2 0.1")), kInformed);
+  EXPECT_EQ(said(rule, body("-0.06 0 0", "0.21 0.2 0.095")), kInformed);
+}
+
+TEST(AssemblySlips, TwinsWithoutShapesAreInOnePlace) {
+  const auto hub = [](const std::string& side) {
+    return "<link name='" + side +
+           "_hub'><inertial><mass value='1'/><inertia ixx='0.001' ixy='0' ixz='0' "
+           "iyy='0.001' iyz='0' izz='0.001'/></inertial></link>";
+  };
+  const auto axle = [&](const std::string& right) {
+    return link("body", "<box size='0.1 0.1 0.1'/>") + hub("left") + hub("right") +
+           joint("left_hub", "body", "0 0.2 0.1") + joint("right_hub", "body", right);
+  };
+  EXPECT_EQ(said("twins-in-one-place", axle("0 0.2 0.1")), kWarned);
+  EXPECT_EQ(said("twins-in-one-place", axle("0 -0.2 0.1")), kQuiet);
+  // Rods of 0.3 m to the left, of which one points ahead and one back: far aside for a gripper, or near.
+  const auto rods = [&](const std::string& at) {
+    const std::string rod = "<box size='0.3 0.02 0.02'/>";
+    return link("body", "<box size='0.1 0.1 0.1'/>") + link("left_arm", rod, "0.1 0 0") +
+           link("right_arm", rod, "-0.1 0 0") + joint("left_arm", "body", at) +
+           joint("right_arm", "body", at);
+  };
+  EXPECT_EQ(said("twins-in-one-place", rods("0 0.2 0.1")), kWarned);
+  EXPECT_EQ(said("twins-in-one-place", rods("0 0.02 0.1")), kQuiet);
+}
+
 }  // namespace
 }  // namespace rigor::rules::assembly_slips

@@ -107,6 +107,44 @@ std::vector<std::string> paths_to_check(const Disk& disk, const std::string& nam
   return {file, config};
 }
 
+/// A page shows where the parts of so many findings would be; each of them is a model that is read and drawn.
+constexpr std::size_t kMaxGhostFindings = 50;
+
+/// The file with the first fix of a finding; nothing when it has none in the file alone.
+std::optional<std::string> fixed_text(const Diagnostic& finding, const read::File& file,
+                                      const Sources& sources) {
+  if (finding.fixes.empty() || file.expanded) return std::nullopt;
+  const Fix& fix = finding.fixes.front();
+  // What is safe moves nothing.
+  if (fix.applicability != Applicability::kUnsafe || fix.edits.empty()) return std::nullopt;
+  for (const Edit& edit : fix.edits) {
+    if (edit.span.nowhere() || sources.path(edit.span.source) != file.path) return std::nullopt;
+  }
+  return apply_edits(sources.bytes(fix.edits.front().span.source), fix.edits);
+}
+
+std::vector<report::PageGhost> ghosts_of(const Diagnostics& findings, const read::File& file,
+                                         const view::Drawing& now, const Sources& sources,
+                                         const Environment& environment, mass::MeshReads& reads) {
+  std::vector<report::PageGhost> ghosts;
+  std::size_t tried = 0;
+  for (std::size_t i = 0; i < findings.list().size() && tried < kMaxGhostFindings; ++i) {
+    const auto text = fixed_text(findings.list()[i], file, sources);
+    if (!text) continue;
+    ++tried;
+    Sources other;
+    read::Workspace workspace(environment.resolver, other);
+    const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
+    const read::Loaded loaded = read::load(reader, workspace.put(file.path, *text));
+    const view::Drawing then = view::draw(loaded.root, model::Frames(loaded.root), other,
+                                          view::files_of(environment.resolver, other, reads),
+                                          {{view::Layer::kVisual, view::Layer::kCollision}});
+    for (const report::PageGhost& ghost : report::ghosts_between(now, then, i))
+      ghosts.push_back(ghost);
+  }
+  return ghosts;
+}
+
 }  // namespace
 
 MadePage make_page(const Disk& disk, const SearchOptions& search, const std::string& path,
@@ -139,6 +177,7 @@ MadePage make_page(const Disk& disk, const SearchOptions& search, const std::str
       .sources = sources,
       .find_mesh = rules::mesh_finder(environment.resolver, sources, check.surveys()),
       .pictures = pictures_of(drawing),
+      .ghosts = ghosts_of(findings, *loaded.file, drawing, sources, environment, reads),
       .use = use};
   made.data = report::page_data(page);
   if (use == report::PageUse::kServed) made.facts = report::facts_of(page);

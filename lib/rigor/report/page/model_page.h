@@ -19,6 +19,7 @@
 #include <rigor/mass/find_mesh.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/report/page/ghosts.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
 #include <rigor/view/drawing/drawing.h>
@@ -47,6 +48,7 @@ struct ModelPage {
   const Sources& sources;         ///< of the root, the drawing and the findings
   mass::FindMesh find_mesh = {};  ///< for automatic inertials; without one they are unknown
   std::vector<PagePicture> pictures = {};
+  std::vector<PageGhost> ghosts = {};
   PageUse use = PageUse::kFile;
 };
 

@@ -42,6 +42,7 @@ class SceneWriter {
   }
 
   void add(const Body& body) {
+    body_index_.push_back(-1);
     const auto [known, is_new] = mesh_index_.try_emplace(body.mesh.get(), -1);
     if (is_new && triangles_ + body.mesh->triangles.size() <= kMaxPageTriangles) {
       known->second = static_cast<int>(meshes.size());
@@ -64,10 +65,22 @@ class SceneWriter {
     for (const Surface& surface : body.surfaces)
       json["surfaces"].push_back(surface_json(surface, body));
     files_.place(json, body.where);
+    body_index_.back() = static_cast<int>(bodies.size());
     bodies.push_back(std::move(json));
   }
 
+  /// After all bodies.
+  void add(const PageGhost& ghost) {
+    const int body = body_index_[ghost.body];
+    if (body < 0) return;
+    ghosts.push_back({{"finding", ghost.finding},
+                      {"body", body},
+                      {"pose", pose_array(ghost.pose)},
+                      {"scale", vector_of(ghost.scale)}});
+  }
+
   Json bodies = Json::array();
+  Json ghosts = Json::array();
   Json meshes = Json::array();
   Json textures = Json::array();
   Json not_drawn = Json::array();
@@ -125,6 +138,8 @@ class SceneWriter {
 
   PageFiles& files_;
   PageBytes& bytes_;
+  std::vector<int>
+      body_index_;  // of each body of the drawing, that of the page; -1 for one that is left out
   std::size_t triangles_ = 0;
   std::uint32_t side_ = kPageTextureSide;
   std::set<const mesh::TriangleMesh*> in_parts_;
@@ -142,7 +157,9 @@ void add_scene(Json& data, const ModelPage& page, PageFiles& files, PageBytes& b
     writer.not_drawn.push_back({{"name", missing.name}, {"reason", missing.reason}});
   }
   for (const Body& body : page.drawing.bodies) writer.add(body);
+  for (const PageGhost& ghost : page.ghosts) writer.add(ghost);
   data["bodies"] = std::move(writer.bodies);
+  data["ghosts"] = std::move(writer.ghosts);
   data["meshes"] = std::move(writer.meshes);
   data["textures"] = std::move(writer.textures);
   data["pictures"] = Json::array();

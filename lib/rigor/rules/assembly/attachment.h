@@ -30,6 +30,7 @@ struct Fit {
 
 struct Attached {
   PlacedUnit unit;
+  robot::Links moved;                      ///< with its pose
   model::Vector3 pivot_W;                  ///< m, of the joint
   std::vector<robot::OrientedBox> child;   ///< of the link
   std::vector<robot::OrientedBox> parent;  ///< of what carries it
@@ -98,9 +99,12 @@ class AttachedLinks {
   std::vector<Attached> find() {
     std::vector<Attached> result;
     constexpr std::size_t kMaxShapes = 600;
+    constexpr std::size_t kMaxLinks = 2000;
     if (robot_.shapes.size() < 2 || robot_.shapes.size() > kMaxShapes) return result;
-    for (PlacedUnit& unit : placed_units(context_)) {
-      if (auto one = attached(std::move(unit))) result.push_back(*std::move(one));
+    if (robot_.links.size() > kMaxLinks) return result;
+    const MovedLinks moved(context_);
+    for (const PlacedUnit& unit : placed_units(context_)) {
+      if (auto one = attached(unit, moved)) result.push_back(*std::move(one));
     }
     return result;
   }
@@ -138,16 +142,17 @@ class AttachedLinks {
     return link == base;
   }
 
-  std::optional<Attached> attached(PlacedUnit unit) {
+  std::optional<Attached> attached(const PlacedUnit& unit, const MovedLinks& moved_links) {
     const robot::AssembledLink& link = robot_.links[unit.link];
     if (!link.carrier) return std::nullopt;
     const auto& ends = context_.frames().ends(link.carrier);
     const auto X_WJ = context_.frames().pose(link.carrier);
     if (!ends.parent || !X_WJ) return std::nullopt;
-    Attached one{std::move(unit), X_WJ->translation, {}, {}, {}, {}};
+    if (!has_known_body(ends.parent.value)) return std::nullopt;
+    Attached one{unit, moved_links.with(unit.link), X_WJ->translation, {}, {}, {}, {}};
     std::vector<bool> moved(robot_.links.size(), false);
-    for (const std::uint32_t i : one.unit.moved) moved[i] = true;
-    if (moved[ends.parent.value] || !has_known_body(ends.parent.value)) return std::nullopt;
+    for (const std::uint32_t i : one.moved) moved[i] = true;
+    if (moved[ends.parent.value]) return std::nullopt;
     const std::uint32_t parent = leaders_[ends.parent.value];
     constexpr std::size_t kUsual = 8;
     one.child.reserve(kUsual);

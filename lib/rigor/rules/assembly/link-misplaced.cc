@@ -25,6 +25,9 @@ constexpr double kFar = 3;
 constexpr std::size_t kLinksOfRobot = 5;
 constexpr double kTouching = 0.05;
 
+// With more shapes or links, those that do not meet what carries them are not compared with all others.
+constexpr std::size_t kMaxCompared = 2000;
+
 // Where the boxes of some shapes are not known, they may be what is between.
 constexpr double kFarApart = 10;
 
@@ -43,13 +46,16 @@ struct Company {
   bool complete = true;
 };
 
-Company company_of(std::uint32_t link, const robot::Assembled& robot) {
-  Company result;
+using Companies = std::map<model::Id<model::Model>, Company>;
+
+/// By the outermost model.
+Companies companies_of(const robot::Assembled& robot) {
+  Companies result;
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
-    if (robot.links[i].top != robot.links[link].top) continue;
-    ++result.links;
-    result.longest = std::max(result.longest, robot.longest({i}));
-    result.complete = result.complete && robot.links[i].complete();
+    Company& company = result[robot.links[i].top];
+    ++company.links;
+    company.longest = std::max(company.longest, robot.longest({i}));
+    company.complete = company.complete && robot.links[i].complete();
   }
   return result;
 }
@@ -61,15 +67,43 @@ bool can_be_zero(const model::Joint& joint) {
   return !axis.limit_written || (axis.lower.value <= 0 && axis.upper.value >= 0);
 }
 
+/// m, of the link and the one that carries it; nothing when one has no shape.
+std::optional<double> gap_to_carrier(std::uint32_t link, const robot::Assembled& robot,
+                                     const Context& context, double enough) {
+  const auto parent = context.frames().ends(robot.links[link].carrier).parent;
+  if (!parent) return std::nullopt;
+  std::optional<double> least;
+  for (const std::uint32_t a : robot.links[link].shapes) {
+    for (const std::uint32_t b : robot.links[parent.value].shapes) {
+      const double apart = robot::separation(robot.shapes[a].box_W, robot.shapes[b].box_W);
+      least = std::min(least.value_or(apart), apart);
+      if (*least <= enough) return least;
+    }
+  }
+  return least;
+}
+
+/// Whether it meets the link that carries it, as nearly all do. What is placed from the link that it carries moves
+/// that along, so that this is no evidence.
+bool meets_carrier(const PlacedUnit& unit, double enough, const robot::Assembled& robot,
+                   const Context& context) {
+  if (!robot.links[unit.link].carrier) return false;
+  const auto parent = context.frames().ends(robot.links[unit.link].carrier).parent;
+  if (!parent) return false;
+  if (!context.is_urdf() && !context.root()[parent].pose.relative_to.value.empty()) return false;
+  const auto gap = gap_to_carrier(unit.link, robot, context, enough);
+  return gap && *gap <= enough;
+}
+
 /// Whether it touches the others with two coordinates exchanged.
-bool touches_exchanged(const PlacedUnit& unit, const Company& company,
+bool touches_exchanged(const PlacedUnit& unit, const robot::Links& moved, const Company& company,
                        const robot::Assembled& robot) {
   const model::Vector3& written = unit.pose->pose.value.translation;
   for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {0, 2}}) {
     model::Vector3 value = written;
     std::swap(value.*kCoordinates[i], value.*kCoordinates[j]);
     if (value == written) continue;
-    const auto gap = robot.gap(unit.moved, shift_of(unit.pose->pose.value, unit.X_WL, value),
+    const auto gap = robot.gap(moved, shift_of(unit.pose->pose.value, unit.X_WL, value),
                                kTouching * company.longest);
     if (gap && *gap <= kTouching * company.longest) return true;
   }
@@ -77,18 +111,22 @@ bool touches_exchanged(const PlacedUnit& unit, const Company& company,
 }
 
 std::optional<Misplaced> look_at(const PlacedUnit& unit, const Company& company,
-                                 const robot::Assembled& robot) {
+                                 const MovedLinks& moved_links, Context& context) {
+  const robot::Assembled& robot = context.assembled();
   if (company.links < 2 || (unit.joint && !can_be_zero(*unit.joint))) return std::nullopt;
   const double apart = (company.complete ? kApart : kFarApart) * company.longest;
-  const auto gap = robot.gap(unit.moved, {}, apart);
+  if (meets_carrier(unit, apart, robot, context)) return std::nullopt;
+  if (std::max(robot.shapes.size(), robot.links.size()) > kMaxCompared) return std::nullopt;
+  const robot::Links moved = moved_links.with(unit.link);
+  const auto gap = robot.gap(moved, {}, apart);
   if (!gap || !(*gap > apart)) return std::nullopt;
-  const auto true_gap = robot.gap(unit.moved);
+  const auto true_gap = robot.gap(moved);
   for (Undone& change : undone_slips(unit.pose->pose.value.translation)) {
     const Vector3 shift = shift_of(unit.pose->pose.value, unit.X_WL, change.value);
-    const auto then = robot.gap(unit.moved, shift, kTouching * company.longest);
+    const auto then = robot.gap(moved, shift, kTouching * company.longest);
     if (then && *then <= kTouching * company.longest)
       return Misplaced{unit, *true_gap, company.longest, std::move(change),
-                       touches_exchanged(unit, company, robot)};
+                       touches_exchanged(unit, moved, company, robot)};
   }
   return std::nullopt;
 }
@@ -106,16 +144,14 @@ void check(const model::Root& root, Context& context) {
   if (root.links.size() < 2 || !context.frames().problems().empty()) return;
   const robot::Assembled& robot = context.assembled();
   std::vector<Misplaced> found;
-  std::map<model::Id<model::Model>, Company> companies;
+  const Companies companies = companies_of(robot);
+  const MovedLinks moved(context);
   for (const PlacedUnit& unit : placed_units(context)) {
     // What no joint holds may lie anywhere.
     const robot::AssembledLink& link = robot.links[unit.link];
     if (!link.carrier && link.links_carried.empty()) continue;
-    const auto top = robot.links[unit.link].top;
-    auto known = companies.find(top);
-    if (known == companies.end())
-      known = companies.emplace(top, company_of(unit.link, robot)).first;
-    if (auto misplaced = look_at(unit, known->second, robot))
+    const Company& company = companies.at(link.top);
+    if (auto misplaced = look_at(unit, company, moved, context))
       found.push_back(*std::move(misplaced));
   }
   for (const Misplaced& one : found) {
@@ -153,7 +189,8 @@ Rule rule() {
              "and the robot's center of mass lies outside of it. The joint's origin, or the "
              "link's pose, is written in millimeters or centimeters, or its decimal point or sign "
              "is wrong: with that undone the link touches the others. Shapes are compared as "
-             "boxes, with all joints at zero.",
+             "boxes, with all joints at zero; with more than 2,000 shapes or links each only "
+             "with the one that carries it.",
       .what_to_do = "Write the origin in meters. `rigor inspect --assembled` prints the distances.",
       .checks = {on<model::Root>(check)},
   };

@@ -59,9 +59,9 @@ double most_of(std::vector<double> numbers) {
   return *at;
 }
 
-bool carries(const PlacedUnit& unit, std::uint32_t link, Context& context) {
+bool carries(const Attached& one, std::uint32_t link, Context& context) {
   const auto& ends = context.frames().ends(context.assembled().links[link].carrier);
-  return std::find(unit.moved.begin(), unit.moved.end(), ends.parent.value) != unit.moved.end();
+  return std::find(one.moved.begin(), one.moved.end(), ends.parent.value) != one.moved.end();
 }
 
 /// The longest link of each model, m.
@@ -86,7 +86,7 @@ Usual usual_beside(const Attached& one, const std::vector<Attached>& all, const 
     if (&other == &one || robot.links[other.unit.link].top != robot.links[one.unit.link].top)
       continue;
     // What the link itself carries is where the link is, or is left behind by it.
-    if (!context.is_urdf() && carries(one.unit, other.unit.link, context)) continue;
+    if (!context.is_urdf() && carries(one, other.unit.link, context)) continue;
     ++usual.joints;
     gaps.push_back(other.fit.gap);
     reaches.push_back(other.fit.reach);

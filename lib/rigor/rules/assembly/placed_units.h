@@ -6,7 +6,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/robot/assembled/assembled.h>
@@ -19,24 +22,44 @@ struct PlacedUnit {
   const model::PoseField* pose = nullptr;
   model::Pose X_WL;                     ///< of what it places
   std::uint32_t link;                   ///< that it places
-  robot::Links moved;                   ///< with it
   const model::Joint* joint = nullptr;  ///< URDF
 };
 
-/// The links whose pose says `relative_to` this one, and so on; the link first. Through a joint or a frame
-/// they are not followed: then the unit is smaller than what moves.
-inline robot::Links placed_from(const model::Root& root, std::uint32_t link) {
-  robot::Links found{link};
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const model::Link& from = root.links[found[i]];
-    for (const auto id : root[from.model].links) {
-      if (root[id].pose.relative_to.value.empty() || id.value == found[i]) continue;
-      if (root[id].pose.relative_to.value == from.name.value) found.push_back(id.value);
-      if (found.size() > root.links.size()) return found;  // a cycle, which is reported elsewhere
+/// What moves with the poses of a file.
+class MovedLinks {
+ public:
+  explicit MovedLinks(Context& context) : context_(context) {
+    const model::Root& root = context.root();
+    if (context.is_urdf()) return;
+    for (std::uint32_t i = 0; i < root.links.size(); ++i) {
+      const std::string& base = root.links[i].pose.relative_to.value;
+      if (!base.empty()) placed_from_[{root.links[i].model.value, base}].push_back(i);
     }
   }
-  return found;
-}
+
+  /// The link that a pose places first, then a URDF's links behind it; of SDF those whose pose says `relative_to` this
+  /// one, and so on. Through a joint or a frame they are not followed: then the unit is smaller than what moves.
+  robot::Links with(std::uint32_t link) const {
+    if (context_.is_urdf()) return context_.assembled().subtree(link);
+    robot::Links found{link};
+    const model::Root& root = context_.root();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const model::Link& from = root.links[found[i]];
+      const auto next = placed_from_.find({from.model.value, from.name.value});
+      if (next == placed_from_.end()) continue;
+      for (const std::uint32_t one : next->second) {
+        if (one != found[i]) found.push_back(one);
+      }
+      if (found.size() > root.links.size()) return found;  // a cycle, which is reported elsewhere
+    }
+    return found;
+  }
+
+ private:
+  Context& context_;
+  // Of SDF, by model and name.
+  std::map<std::pair<std::uint32_t, std::string_view>, robot::Links> placed_from_;
+};
 
 /// Whether a link that nothing shows and nothing touches, a frame, is where its parent is.
 inline bool is_frame_of_parent(std::uint32_t link, Context& context) {
@@ -88,15 +111,14 @@ inline std::vector<PlacedUnit> placed_units(Context& context) {
       if (!joint.pose.pose.written || !ends.parent || !ends.child) continue;
       const robot::AssembledLink& child = robot.links[ends.child.value];
       if (child.carrier.value != j || !child.X_WL) continue;
-      units.push_back(
-          {&joint.pose, *child.X_WL, ends.child.value, robot.subtree(ends.child.value), &joint});
+      units.push_back({&joint.pose, *child.X_WL, ends.child.value, &joint});
     }
     return units;
   }
   for (std::uint32_t i = 0; i < root.links.size(); ++i) {
     const model::Link& link = root.links[i];
     if (!root.own(link.site) || !link.pose.pose.written || !robot.links[i].X_WL) continue;
-    units.push_back({&link.pose, *robot.links[i].X_WL, i, placed_from(root, i), nullptr});
+    units.push_back({&link.pose, *robot.links[i].X_WL, i, nullptr});
   }
   return units;
 }

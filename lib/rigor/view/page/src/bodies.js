@@ -33,6 +33,7 @@ export async function makeBodies({ data, buffer }) {
 export class Bodies {
   group = new Group();
   meshes = []; // one for each of data.bodies, which is its userData
+  ghosts = new Group(); // where parts would be with the fix of a finding, joints at zero
 
   constructor(data, geometries, textures) {
     this.data = data;
@@ -40,7 +41,7 @@ export class Bodies {
     this.materials = new Materials(textures);
     this.still = new Group(); // what no link moves
     this.links = data.links.map(() => new Group());
-    this.group.add(this.still, ...this.links);
+    this.group.add(this.still, this.ghosts, ...this.links);
     for (const link of this.links) link.matrixAutoUpdate = false;
     data.bodies.forEach((body) => this.#add(body));
   }
@@ -88,6 +89,24 @@ export class Bodies {
     for (const mesh of this.meshes) this.#paint(mesh, isChosen(mesh.userData));
   }
 
+  /** Those of a finding, none for -1. They are no bodies: nobody picks them, and layers do not hide them. */
+  haunt(finding) {
+    this.ghosts.clear();
+    for (const ghost of (this.data.ghosts ?? []).filter((each) => each.finding === finding)) {
+      const mesh = new Mesh(this.geometries[this.data.bodies[ghost.body].mesh], this.materials.ghost);
+      mesh.matrixAutoUpdate = false;
+      mesh.matrix.copy(matrixOf(ghost.pose, ghost.scale));
+      this.ghosts.add(mesh);
+    }
+    this.group.updateMatrixWorld(true);
+  }
+
+  ghostMiddles() {
+    return this.ghosts.children.map((mesh) =>
+      new Box3().setFromObject(mesh).getCenter(new Vector3()).toArray(),
+    );
+  }
+
   /** The pose of a link as it stands in the scene; null when the file does not tell. */
   linkPose(link) {
     const { pose } = this.data.links[link];
@@ -111,7 +130,7 @@ export class Bodies {
       if (!mesh.geometry.boundingBox) mesh.geometry.computeBoundingBox();
       box.union(mesh.geometry.boundingBox.clone().applyMatrix4(mesh.matrixWorld));
     }
-    return box;
+    return box.union(new Box3().setFromObject(this.ghosts));
   }
 
   dispose() {

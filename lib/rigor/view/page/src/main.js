@@ -43,6 +43,7 @@ class App {
     state.on('positions', () => this.move());
     state.on('layers', () => this.show());
     state.on('selection', () => this.highlight());
+    state.on('finding', () => this.haunt());
     state.on('model', () => this.sayTotals());
     showToolbar(state, stage);
     showTree(state);
@@ -98,6 +99,12 @@ class App {
       body.joint >= 0 ? body.joint === joint : body.link >= 0 && body.link === link,
     );
     this.point();
+  }
+
+  /** Shows where what the finding is about would be. */
+  haunt() {
+    this.bodies?.haunt(this.state.finding);
+    this.stage?.draw();
   }
 
   /** At the frame of the selected link, or the axes of the selected joint. */

@@ -12,6 +12,7 @@ import {
 } from 'three';
 
 const HIGHLIGHT = 0x1d6fd6;
+const GHOST = 0x1f9d3a;
 /** Steps of depth: a collision often lies exactly on its visual, and a model's floor on the ground. */
 const LIFTED = { collision: -1, ground: 1 };
 
@@ -34,6 +35,14 @@ export function texturesOf(sources) {
 
 export class Materials {
   #made = new Map();
+  /** Of what is not there, and would be. */
+  ghost = new MeshPhongMaterial({
+    color: GHOST,
+    opacity: 0.4,
+    transparent: true,
+    depthWrite: false,
+    side: DoubleSide,
+  });
 
   constructor(textures) {
     this.textures = textures;
@@ -74,6 +83,7 @@ export class Materials {
   }
 
   dispose() {
+    this.ghost.dispose();
     for (const material of this.#made.values()) material.dispose();
     for (const texture of this.textures) texture?.dispose();
   }

@@ -27,6 +27,10 @@ export function offerToTests(app, ready) {
     get finding() {
       return state.finding;
     },
+    /** Middles of what the chosen finding would move, in the file's frame. */
+    get ghosts() {
+      return app.bodies?.ghostMiddles() ?? [];
+    },
     get copied() {
       return state.copied ?? '';
     },
