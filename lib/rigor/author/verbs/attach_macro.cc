@@ -111,10 +111,10 @@ class MacroAttacher {
     const AttachRequest& asked = request_.attach;
     std::string attributes, missing;
     bool has_origin = false;
-    for (const auto& [name, value] : request_.parameters) {
+    for (const auto& given : request_.parameters) {
       const bool known = std::any_of(macro_.parameters.begin(), macro_.parameters.end(),
-                                     [&](const auto& each) { return each.name == name; });
-      if (!known) return fmt::format("macro '{}' has no parameter '{}'", macro_.name, name);
+                                     [&](const auto& each) { return each.name == given.first; });
+      if (!known) return fmt::format("macro '{}' has no parameter '{}'", macro_.name, given.first);
     }
     for (const xacro::MacroParameter& parameter : macro_.parameters) {
       const std::string name(parameter.name);
