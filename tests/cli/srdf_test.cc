@@ -62,6 +62,24 @@ TEST(SrdfCommand, WritesWhatValidateIsContentWith) {
   EXPECT_EQ(folder.rigor("srdf arm.urdf --samples 1000 -j 1").out, folder.get("arm.srdf"));
 }
 
+/// Robot and configuration in two packages, neither above the other.
+TEST(SrdfCommand, ValidateFindsTheRobotOfTheSetupAssistant) {
+  const Folder folder;
+  folder.put("a/description/package.xml", "<package><name>arm_description</name></package>");
+  folder.put("a/description/urdf/arm.urdf", kReachingArm);
+  folder.put("b/c/d/e/config/package.xml", "<package><name>arm_moveit</name></package>");
+  folder.put("b/c/d/e/config/.setup_assistant",
+             "moveit_setup_assistant_config:\n  URDF:\n    package: arm_description\n"
+             "    relative_path: urdf/arm.urdf\n  SRDF:\n    relative_path: config/arm.srdf\n");
+  folder.put("b/c/d/e/config/config/arm.srdf",
+             "<robot name=\"arm\"><passive_joint name=\"knee\"/></robot>\n");
+  const std::string validate =
+      "validate b/c/d/e/config/config/arm.srdf --format concise --show info";
+  EXPECT_NE(folder.rigor(validate).out.find("srdf-robot-not-found"), std::string::npos);
+  const Ran found = folder.rigor(validate + " --package arm_description=a/description");
+  EXPECT_NE(found.out.find("srdf-name-undefined"), std::string::npos) << found.out;
+}
+
 TEST(SrdfCommand, UpdatesAMatrixAndNothingElse) {
   const Folder folder;
   folder.put("arm.urdf", kReachingArm);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view kCommonFolder = "common";
 constexpr std::string_view kRos2Folder = "ros2";
+constexpr std::string_view kAddFolder = "add";  // of verbs/add_template.h
 constexpr std::string_view kNamePlaceholder = "@NAME@";
 
 std::string_view template_of(const EmbeddedFile& file) {
@@ -144,7 +145,7 @@ std::vector<std::string_view> template_names() {
   std::vector<std::string_view> names;
   for (const EmbeddedFile& file : embedded_templates()) {
     const std::string_view name = template_of(file);
-    if (name == kCommonFolder || name == kRos2Folder) continue;
+    if (name == kCommonFolder || name == kRos2Folder || name == kAddFolder) continue;
     if (names.empty() || names.back() != name) names.push_back(name);
   }
   return names;

@@ -138,6 +138,7 @@ class Context {
   /// Where a URI that stands in this file leads. Looked up once, however many rules ask.
   const read::Resolution& resolve(const std::string& uri);
   const Disk& disk() const;
+  const read::Resolver& resolver() const { return inputs_.resolver; }
   /// Those that may name another file, as `package/assets.h` has them. Collected once.
   const std::vector<xml::Element>& elements_about_files();
   /// The URIs that stand in the file. Collected once.

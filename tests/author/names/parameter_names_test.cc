@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <rigor/author/names/rename.h>
+#include <rigor/author/names/workspace_files.h>
 #include <rigor/read/workspace.h>
 #include <rigor/rules/environment.h>
 #include <rigor/text/disk.h>
@@ -123,8 +124,10 @@ TEST(ParameterNames, ARenameReachesControllersAndListsWhatIsDoubtful) {
 }
 
 TEST(ParameterNames, WhatTwoRobotsHaveIsOnlySuspected) {
+  std::string other = kArm;
+  other.replace(other.find("robot name='") + 12, 1, "other_");
   RenamedWorkspace workspace(
-      {{"arm.urdf", kArm}, {"other.urdf", kArm}, {"controllers.yaml", kControllers}});
+      {{"arm.urdf", kArm}, {"other.urdf", other}, {"controllers.yaml", kControllers}});
   const Renaming renaming = workspace.rename("arm.urdf", "elbow", "knee");
   EXPECT_EQ(workspace.after("controllers.yaml", renaming), kControllers);
   EXPECT_EQ(renaming.suspected.size(), 6U);
@@ -137,7 +140,7 @@ TEST(ParameterNames, FilesAreFoundBelowFolders) {
                                                      {"/ws/build/COLCON_IGNORE", ""},
                                                      {"/ws/build/d.yaml", ""},
                                                      {"/ws/.git/e.yaml", ""}});
-  EXPECT_EQ(parameter_files(disk, {"/ws", "/ws/a"}),
+  EXPECT_EQ(workspace_files(disk, {"/ws", "/ws/a"}, {}).texts,
             (std::vector<std::string>{"/ws/a/config/c.yaml", "/ws/b.toml"}));
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <rigor/author/verbs/attach_macro.h>
 #include <rigor/author/verbs/remove.h>
 
 #include "author/verbs/verb_bench.h"
@@ -116,6 +117,172 @@ TEST(Attach, AnSdfModelIsNested) {
   EXPECT_EQ(text.find("7 7 7"), std::string::npos);
   ASSERT_EQ(whole.joints.size(), 1U);
   EXPECT_EQ(whole.joints[0].axes[0].direction, (model::Vector3{0, 0, 1}));
+}
+
+constexpr const char* kFramedArm = R"(<sdf version="1.9"><model name="arm">
+  <link name="base"/>
+  <joint name="j" type="fixed"><parent>base</parent><child>tool</child></joint>
+  <link name="tool"><pose>0 0 1 0 0 0</pose></link>
+  <frame name="flange" attached_to="tool"><pose>0 0 0.25 0 0 0</pose></frame>
+</model></sdf>
+)";
+constexpr const char* kFramedHand = R"(<sdf version="1.8">
+  <model name="hand">
+    <link name="palm"><pose>0 0 0.5 0 0 0</pose></link>
+    <frame name="mount"><pose>0.125 0 0 0 0 0</pose></frame>
+  </model>
+</sdf>
+)";
+
+TEST(Attach, AnSdfModelByInclude) {
+  VerbBench bench({{"ws/arm/model.config",
+                    "<model><name>arm</name><sdf version=\"1.9\">model.sdf</sdf></model>"},
+                   {"ws/arm/model.sdf", kFramedArm},
+                   {"ws/hand/model.config",
+                    "<model><name>hand</name><sdf version=\"1.8\">model.sdf</sdf></model>"},
+                   {"ws/hand/model.sdf", kFramedHand}});
+  const EditedModel& arm = bench.open("ws/arm/model.sdf");
+  AttachRequest request;
+  request.frame = "flange";
+  request.tool_frame = "mount";
+  request.X_LG = {{0, 0, 0.5}, {}};
+  request.by = AttachBy::kInclude;
+  const std::string text =
+      bench.text(arm, attached(bench.reader(), arm, bench.open("ws/hand/model.sdf"), request));
+  const std::string source = kFramedArm;
+  EXPECT_EQ(text, source.substr(0, source.find("</model>")) + R"(  <include>
+    <uri>model://hand</uri>
+    <name>hand</name>
+    <pose relative_to="flange">0 0 0.5 0 0 0</pose>
+    <placement_frame>mount</placement_frame>
+  </include>
+  <joint name="tool_to_hand" type="fixed">
+    <parent>tool</parent>
+    <child>hand::palm</child>
+  </joint>
+</model></sdf>
+)");
+  const EditedModel& whole = bench.open_text("ws/arm/model.sdf", text);
+  // tool 1, flange 0.25, pose 0.5, palm 0.5 up; the mount is 0.125 before the hand's own frame.
+  EXPECT_EQ(whole.robot.bodies[whole.body_index("hand::palm")].X_MB.translation,
+            (model::Vector3{-0.125, 0, 2.25}));
+  request.by = AttachBy::kCopy;
+  EXPECT_EQ(attached(bench.reader(), arm, bench.open("ws/hand/model.sdf"), request).refused,
+            "one is SDF 1.9 and one 1.8: bring them to one version first");
+  request.frame = "nowhere";
+  request.link = "tool";
+  EXPECT_EQ(attached(bench.reader(), arm, bench.open("ws/hand/model.sdf"), request).refused,
+            "no frame is named 'nowhere'");
+}
+
+TEST(Attach, FramesOfAUrdfAreItsLinks) {
+  VerbBench bench({{"arm.urdf", kCarrierArm}, {"jaws.urdf", kJaws}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  AttachRequest request;
+  request.link = "tool";
+  request.frame = "base";
+  request.tool_frame = "finger";
+  request.X_LG = {{0, 0, 2}, {}};
+  const std::string text =
+      bench.text(arm, attached(bench.reader(), arm, bench.open("jaws.urdf"), request));
+  EXPECT_NE(text.find("<origin xyz=\"0 -0.1 1\" rpy=\"0 0 0\"/>"), std::string::npos) << text;
+  const EditedModel& whole = bench.open_text("arm.urdf", text);
+  EXPECT_EQ(whole.robot.bodies[whole.body_index("jaws_finger")].X_MB.translation,
+            (model::Vector3{0, 0, 2}));
+}
+
+constexpr const char* kTemplateArm =
+    R"(<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="height" value="1"/>
+  <link name="base"/>
+  <joint name="j" type="fixed">
+    <origin xyz="0 0 ${height}"/><parent link="base"/><child link="tool"/>
+  </joint>
+  <link name="tool"/>
+</robot>
+)";
+
+TEST(Attach, ATemplateIncludesARobot) {
+  VerbBench bench({{"arm.urdf.xacro", kTemplateArm},
+                   {"parts/lamp.urdf", "<robot name=\"lamp\"><link name=\"bulb\"/></robot>"},
+                   {"parts/tool.urdf", "<robot name=\"lamp\"><link name=\"tool\"/></robot>"}});
+  const EditedModel& arm = bench.open("arm.urdf.xacro");
+  AttachRequest request;
+  request.link = "tool";
+  request.X_LG = {{0, 0, 0.5}, {}};
+  const std::string text =
+      bench.text(arm, attached(bench.reader(), arm, bench.open("parts/lamp.urdf"), request));
+  const std::string source = kTemplateArm;
+  EXPECT_EQ(text, source.substr(0, source.find("</robot>")) +
+                      R"(  <xacro:include filename="parts/lamp.urdf"/>
+  <joint name="tool_to_lamp" type="fixed">
+    <origin xyz="0 0 0.5" rpy="0 0 0"/>
+    <parent link="tool"/>
+    <child link="bulb"/>
+  </joint>
+</robot>
+)");
+  EXPECT_EQ(attached(bench.reader(), arm, bench.open("parts/tool.urdf"), request).refused,
+            "names of parts/tool.urdf are taken, and a file that is included keeps them");
+}
+
+constexpr const char* kGripperMacro =
+    R"(<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="gripper" params="prefix parent *origin stroke:=0.1 color">
+    <link name="${prefix}palm"/>
+    <joint name="${prefix}mount" type="fixed">
+      <xacro:insert_block name="origin"/>
+      <parent link="${parent}"/><child link="${prefix}palm"/>
+    </joint>
+  </xacro:macro>
+</robot>
+)";
+
+TEST(Attach, ATemplateCallsAMacro) {
+  VerbBench bench({{"urdf/arm.urdf.xacro", kTemplateArm}, {"urdf/gripper.xacro", kGripperMacro}});
+  const EditedModel& arm = bench.open("urdf/arm.urdf.xacro");
+  MacroRequest request;
+  request.attach.link = "tool";
+  request.attach.prefix = "left_";
+  request.attach.X_LG = {{0, 0, 0.5}, {}};
+  const auto call = [&] {
+    return attached_by_macro(bench.reader(), arm, "urdf/gripper.xacro", request);
+  };
+  EXPECT_EQ(call().refused, "macro 'gripper' needs color: give each as --param NAME=VALUE");
+  request.parameters["color"] = "red";
+  const std::string text = bench.text(arm, call());
+  const std::string source = kTemplateArm;
+  EXPECT_EQ(text, source.substr(0, source.find("</robot>")) +
+                      R"(  <xacro:include filename="gripper.xacro"/>
+  <xacro:gripper prefix="left_" parent="tool" color="red">
+    <origin xyz="0 0 0.5" rpy="0 0 0"/>
+  </xacro:gripper>
+</robot>
+)");
+  const EditedModel& whole = bench.open_text("urdf/arm.urdf.xacro", text);
+  EXPECT_EQ(whole.robot.bodies[whole.body_index("left_palm")].X_MB.translation,
+            (model::Vector3{0, 0, 1.5}));
+  request.parameters["colour"] = "red";
+  EXPECT_EQ(call().refused, "macro 'gripper' has no parameter 'colour'");
+  request.macro = "hand";
+  EXPECT_EQ(call().refused, "urdf/gripper.xacro defines no such macro");
+}
+
+TEST(Attach, AMacroWithoutAParentGetsAJoint) {
+  VerbBench bench({{"arm.urdf.xacro", kTemplateArm},
+                   {"lamp.xacro", R"(<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="lamp" params="prefix"><link name="${prefix}bulb"/></xacro:macro>
+</robot>)"}});
+  const EditedModel& arm = bench.open("arm.urdf.xacro");
+  MacroRequest request;
+  request.attach.link = "tool";
+  request.attach.X_LG = {{0, 0, 0.5}, {}};
+  const std::string text =
+      bench.text(arm, attached_by_macro(bench.reader(), arm, "lamp.xacro", request));
+  const EditedModel& whole = bench.open_text("arm.urdf.xacro", text);
+  EXPECT_EQ(whole.robot.bodies[whole.body_index("bulb")].X_MB.translation,
+            (model::Vector3{0, 0, 1.5}))
+      << text;
 }
 
 TEST(Attach, WhatItRefuses) {

@@ -65,7 +65,7 @@ TEST(Prefix, FilesThatReferToTheRobot) {
   EXPECT_EQ(proven.files[0].text, R"(<robot name="arm"><passive_joint name="l_elbow"/></robot>)");
   EXPECT_EQ(proven.files[2].text, "controller:\n  joints: [l_shoulder, l_elbow]\n  label: elbow\n");
   ASSERT_EQ(change.notes.size(), 1U);
-  EXPECT_EQ(change.notes[0], "c.yaml:3: may be a name; not renamed");
+  EXPECT_EQ(change.notes[0], "c.yaml:3: may be the name 'elbow'; not renamed");
 }
 
 TEST(Prefix, TheWorldAndNestedModels) {

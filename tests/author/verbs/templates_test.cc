@@ -62,7 +62,28 @@ TEST(TemplateVerbs, WhatAnExpressionComputesIsRefused) {
   const EditedModel& robot = bench.open("r.urdf.xacro");
   EXPECT_EQ(bench.prove(robot, with_pose(robot, "left_joint", {{0, 0, 1}, {}})).refused,
             "r.urdf.xacro:6 is computed by an expression");
-  EXPECT_EQ(prefixed(robot, "p_", {}).refused, "an expression composes the name at r.urdf.xacro:5");
+}
+
+TEST(TemplateVerbs, TheLiteralBesideAnExpressionTakesAPrefix) {
+  const std::string both =
+      two_armed("  <xacro:arm side=\"left\"/>\n  <xacro:arm side=\"right\"/>\n");
+  VerbBench bench({{"r.urdf.xacro", both}});
+  const EditedModel& robot = bench.open("r.urdf.xacro");
+  const std::string text = bench.text(robot, prefixed(robot, "p_", {}));
+  EXPECT_NE(text.find("name=\"p_${side}_"), std::string::npos) << text;
+  EXPECT_EQ(text.find("name=\"${side}_"), std::string::npos) << text;
+  const EditedModel& changed = bench.open_text("r.urdf.xacro", text);
+  EXPECT_EQ(bench.text(changed, unprefixed(changed, "p_", {})), both);
+}
+
+TEST(TemplateVerbs, ANameOfOneCallOfTwoIsRefused) {
+  const Change change = [] {
+    VerbBench bench({{"r.urdf.xacro",
+                      two_armed("  <xacro:arm side=\"left\"/>\n  <xacro:arm side=\"right\"/>\n")}});
+    const EditedModel& robot = bench.open("r.urdf.xacro");
+    return unprefixed(robot, "left_", {});
+  }();
+  EXPECT_EQ(change.refused, "an expression composes the name at r.urdf.xacro:5");
 }
 
 TEST(TemplateVerbs, ElementsOfTheTemplateItself) {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,7 @@
 #include <rigor/author/names/name_graph.h>
 #include <rigor/author/names/parameter_names.h>
 #include <rigor/author/names/rename.h>
+#include <rigor/author/names/text_mentions.h>
 #include <rigor/read/workspace.h>
 #include <rigor/report/robot_diff/robot_diff.h>
 #include <rigor/report/terminal/printable.h>
@@ -30,6 +32,7 @@
 
 #include "command/command.h"
 #include "command/edit_version.h"
+#include "command/edit_workspace.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
 #include "output/output.h"
@@ -52,12 +55,13 @@ class EditCommand final : public Command {
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
         program, "edit", "Change a model by byte edits, with a proof that nothing else changes",
-        {"rigor edit rename wheel left_wheel robot.urdf robot.srdf controllers.yaml",
+        {"rigor edit rename wheel left_wheel robot.urdf",
          "rigor edit prefix left_ arm.urdf -o left_arm.urdf",
          "rigor edit attach arm.urdf gripper.urdf --to flange -o robot.urdf",
          "rigor edit remove camera_link robot.urdf --subtree --write",
          "rigor edit merge left.sdf right.sdf --pose '0 1 0 0 0 0' -o cell.sdf",
-         "rigor edit simplify-collisions robot.urdf --max-error 0.01 --write"});
+         "rigor edit simplify-collisions robot.urdf --max-error 0.01 --write",
+         "rigor edit add diff-drive robot.urdf --target gz-sim"});
     for (const EditVerb& verb : edit_verbs()) names_.push_back(verb.name);
     names_.insert(names_.end(), {kRename, kUpgrade, kDowngrade});
     offer(
@@ -67,7 +71,8 @@ class EditCommand final : public Command {
         names_);
     app->add_option("words", words_,
                     "What the verb takes, then the files: the model's first, of attach the tool's, "
-                    "then others that refer to it by name (SRDF, controllers' YAML)")
+                    "then others that refer to it by name, beside those of its repository or "
+                    "package, which are found")
         ->type_name("WORD");
     auto* write = app->add_flag("--write", write_, "Change the files");
     auto* diff = app->add_flag("--diff", diff_, "Show what would change: the default");
@@ -80,6 +85,8 @@ class EditCommand final : public Command {
         ->type_name("NAME");
     declare_options(*app);
     search_.declare(*app);
+    app->get_option("--isolated")
+        ->description("Use no configuration, and change FILE alone: no other file is searched");
     return app;
   }
 
@@ -119,13 +126,33 @@ class EditCommand final : public Command {
     };
     flag("--subtree", options_.subtree, "Of remove: what the link carries, too");
     text("--to", options_.to,
-         "Of attach and add: the link that carries it; of move-frame: a pose, com or joint",
+         "Of attach and add: the link that carries it, or the joint; of move-frame: a pose, com or "
+         "joint",
          "LINK");
     text("--pose", options_.pose,
          "Of attach and add: where it is in that link, in m and rad; at its frame when absent",
          "\"X Y Z R P Y\"");
+    text("--target", options_.target,
+         "Of add: gz-sim, gazebo-classic or ros; gz-sim when absent, of ros2_control and "
+         "transmission ros",
+         "NAME");
+    text("--parameters", options_.parameters,
+         "Of add ros2_control for a simulator: the controllers' YAML", "FILE");
     text("--joint", options_.joint, "Of attach: fixed, or revolute about the tool's z axis",
          "TYPE");
+    text("--frame", options_.frame,
+         "Of attach: a frame or link that the pose is relative to, and instead of --to", "FRAME");
+    text("--tool-frame", options_.tool_frame,
+         "Of attach: a frame or link of the tool that is put there rather than its own", "FRAME");
+    flag("--include", options_.include,
+         "Of attach in SDF and of merge: by <include> rather than by a copy");
+    text("--macro", options_.macro,
+         "Of attach, of a template: the macro of the tool's file that is called", "NAME");
+    given_.emplace_back("--param",
+                        app.add_option("--param", options_.macro_parameters,
+                                       "Of attach: a parameter of that macro; may be repeated")
+                            ->type_name("NAME=VALUE")
+                            ->allow_extra_args(false));
     text("--prefix", options_.prefix, "Of attach: for the names of the tool", "PREFIX");
     text("--plane", options_.plane,
          "Of mirror: xz, yz or xy of the link that carries the part; xz when absent", "PLANE");
@@ -143,7 +170,6 @@ class EditCommand final : public Command {
          "E");
     text("--from", options_.from,
          "Of simplify-collisions: visual gives links without a collision one", "PART");
-    flag("--include", options_.include, "Of merge: the world includes the models' files");
     flag("--allow-loss", options_.allow_loss,
          "Of downgrade: also what the older version has no word for");
     text("--lower", options_.lower, "Of a revolute joint: the lower limit, rad", "RAD");
@@ -160,15 +186,18 @@ class EditCommand final : public Command {
     }
   }
 
-  int edit(const EditVerb& verb, const EditRequest& request) {
+  int edit(const EditVerb& verb, EditRequest& request) {
     search_.config().open();
-    const GuardedDisk disk = search_.disk(words_);
+    const EditWorkspace workspace = workspace_of(request.files);
+    const GuardedDisk disk = search_.disk(workspace.in_reach(words_));
     Environment environment(disk, search_.paths());
     search_.allow(environment.workers);
     Sources sources;
     author::ModelReader reader(environment, sources);
     const author::OpenedModel opened = reader.open(request.files.front(), model_);
     if (!opened.model) throw InputError(opened.problem);
+    if (verb.searches)
+      request.found = workspace.files_with(names_of(*opened.model), request.files, disk);
     const author::Change change = verb.change(request, reader, *opened.model);
     const author::ProvenChange proven = prove(reader, *opened.model, change);
     if (!proven.refused.empty())
@@ -182,7 +211,10 @@ class EditCommand final : public Command {
       return kFindings;
     }
     emit_new(change.new_files, disk.reach());
-    emit(request, proven, sources);
+    emit(request, workspace, proven, sources);
+    tell_others(request, proven);
+    if (!verb.searches)
+      tell_dangling(request, workspace, *opened.model, *proven.after, disk, sources);
     tell({request.files.front(), opened.model->robot}, proven, proven.asked, sources);
     std::size_t places = 0;
     for (const author::EditedFile& file : proven.files) places += file.edits.size();
@@ -239,8 +271,52 @@ class EditCommand final : public Command {
     return rigor::tool::change_version(environment, request);
   }
 
-  void emit(const EditRequest& request, const author::ProvenChange& proven,
-            const Sources& sources) const {
+  /// Where other files are: nowhere with --isolated, and with --out, where only the model is written.
+  EditWorkspace workspace_of(const std::vector<std::string>& files) const {
+    if (!search_.config().is_isolated())
+      return out_.empty() ? EditWorkspace(files.front(), search_.config().disk()) : EditWorkspace();
+    if (files.size() > 1)
+      throw UsageError("--isolated changes " + files.front() + " alone: " + files[1] +
+                       " is named, too");
+    return {};
+  }
+
+  static std::set<std::string> names_of(const author::EditedModel& edited) {
+    std::set<std::string> names{edited.robot.name};
+    for (const auto& body : edited.robot.bodies) names.insert(body.name);
+    for (const auto& joint : edited.robot.joints) names.insert(joint.name);
+    for (const auto& frame : edited.robot.frames) names.insert(frame.name);
+    return names;
+  }
+
+  /// Of a change of several files, which they are.
+  static void tell_others(const EditRequest& request, const author::ProvenChange& proven) {
+    if (proven.files.size() < 2) return;
+    for (const author::EditedFile& file : proven.files) {
+      if (normalize_path(file.path) == normalize_path(request.files.front())) continue;
+      say("rigor: " + report::printable(file.path) + ": " +
+          report::counted(file.edits.size(), "place"));
+    }
+  }
+
+  /// What other files may still call by a name that the change has taken away.
+  static void tell_dangling(const EditRequest& request, const EditWorkspace& workspace,
+                            const author::EditedModel& before, const author::EditedModel& after,
+                            const Disk& disk, Sources& sources) {
+    std::set<std::string> gone = names_of(before);
+    for (const std::string& name : names_of(after)) gone.erase(name);
+    if (gone.empty()) return;
+    std::vector<Span> places;
+    for (const std::string& path : workspace.files_with(gone, request.files, disk)) {
+      for (const Span where : author::names_in_text(disk, sources, path, gone))
+        places.push_back(where);
+    }
+    for (const std::string& line : author::mention_lines(sources, places))
+      say("rigor: " + report::printable(line) + ", which is gone");
+  }
+
+  void emit(const EditRequest& request, const EditWorkspace& workspace,
+            const author::ProvenChange& proven, const Sources& sources) const {
     if (!out_.empty() && proven.files.size() != 1) {
       throw UsageError("--out takes a change of one file: this is one of " +
                        report::counted(proven.files.size(), "file"));
@@ -249,7 +325,7 @@ class EditCommand final : public Command {
       if (!out_.empty()) {
         replace_file(out_, file.text);
       } else if (write_) {
-        replace_found(request.files, file.path, file.text);
+        replace_found(workspace.in_reach(request.files), file.path, file.text);
       } else {
         write({0, {}}, unified_diff(file.path, sources.bytes(file.source), file.edits));
       }
@@ -272,13 +348,14 @@ class EditCommand final : public Command {
     if (!out_.empty()) throw UsageError("edit rename has no option --out");
     search_.config().open();
     const std::vector<std::string> files(words_.begin() + 2, words_.end());
-    const GuardedDisk disk = search_.disk(files);
+    const EditWorkspace around = workspace_of(files);
+    const GuardedDisk disk = search_.disk(around.in_reach(files));
     const Environment environment(disk, search_.paths());
     Sources sources;
     read::Workspace workspace(environment.resolver, sources);
     author::NameGraph graph(workspace, environment.resolver);
     for (const std::string& file : files) {
-      if (author::parameter_format(file)) continue;
+      if (author::parameter_format(file) || author::is_mentioning_text(file)) continue;
       if (!workspace.open(file).document)
         throw UsageError(file + ": " + workspace.open(file).problem);
       graph.add_robot(file);
@@ -286,7 +363,8 @@ class EditCommand final : public Command {
     const auto target = graph.find(files.front(), words_[0]);
     if (!target) throw InputError(files.front() + ": nothing is named '" + words_[0] + '\'');
     const author::Renaming renaming =
-        author::renamed({graph, environment.resolver, sources}, *target, words_[1], files);
+        author::renamed({graph, environment.resolver, sources}, *target, words_[1],
+                        {files, around.files_with({words_[0]}, files, disk)});
     if (!renaming.refused.empty())
       throw InputError('\'' + words_[0] + "' is not renamed: " + renaming.refused);
     std::map<SourceId, std::vector<Edit>> by_source;
@@ -296,15 +374,17 @@ class EditCommand final : public Command {
       if (!write_) {
         write({0, {}}, unified_diff(path, sources.bytes(source), edits));
       } else if (const auto text = apply_edits(sources.bytes(source), edits)) {
-        replace_found(files, path, *text);
+        replace_found(around.in_reach(files), path, *text);
       }
     }
-    for (const Span where : renaming.suspected) {
-      const std::string path(sources.path(where.source));
-      say("rigor: " + report::printable(path) + ':' +
-          std::to_string(sources.position(where.source, where.begin).line) +
-          ": may be the name; not renamed");
+    if (by_source.size() > 1) {
+      for (const auto& [source, edits] : by_source) {
+        say("rigor: " + report::printable(sources.path(source)) + ": " +
+            report::counted(edits.size(), "place"));
+      }
     }
+    for (const std::string& line : author::mention_lines(sources, renaming.suspected))
+      say("rigor: " + report::printable(line) + "; not renamed");
     say("rigor: " + report::counted(renaming.edits.size(), "place") + " in " +
         report::counted(by_source.size(), "file") + (write_ ? " renamed" : " would be renamed"));
     return kClean;

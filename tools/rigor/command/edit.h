@@ -23,17 +23,23 @@ struct EditOptions {
   std::string plane;
   std::string rename;
   std::string prefix;
+  std::string target;
+  std::string parameters;
+  std::string tool_frame;
+  std::string macro;
+  std::vector<std::string> macro_parameters;
   std::string lower, upper, effort, velocity;
   std::string take, mass, name;  ///< of split; name of merge, too
   std::string max_error, from;   ///< of simplify-collisions
   bool subtree = false;
-  bool include = false;     ///< of merge
+  bool include = false;     ///< of attach and merge
   bool allow_loss = false;  ///< of downgrade
 };
 
 struct EditRequest {
   std::vector<std::string> words;  ///< before the files
   std::vector<std::string> files;  ///< the model's first
+  std::vector<std::string> found;  ///< others of its workspace that may hold a name of the model
   std::string tool;                ///< the file behind the model's of a verb that `takes_tool`
   std::string out;                 ///< where the result goes; empty when that is not said
   EditOptions options;
@@ -48,6 +54,8 @@ struct EditVerb {
                            const author::EditedModel& edited);
   /// Whether a second model is read, which stays as it is: FILE TOOL.
   bool takes_tool = false;
+  /// Whether other files of the workspace go along.
+  bool searches = false;
 };
 
 /// All but `rename`, `upgrade` and `downgrade`.

@@ -11,6 +11,7 @@
 
 #include <rigor/author/verbs/add.h>
 #include <rigor/author/verbs/attach.h>
+#include <rigor/author/verbs/attach_macro.h>
 #include <rigor/author/verbs/lump.h>
 #include <rigor/author/verbs/merge.h>
 #include <rigor/author/verbs/mirror.h>
@@ -22,10 +23,12 @@
 #include <rigor/author/verbs/set_value.h>
 #include <rigor/author/verbs/simplify.h>
 #include <rigor/author/verbs/split.h>
+#include <rigor/read/template/template_expander.h>
 
 #include "command/command.h"
 #include "command/edit.h"
 #include "option/numbers.h"
+#include "option/search.h"
 
 namespace rigor::tool {
 namespace {
@@ -35,21 +38,21 @@ using author::EditedModel;
 using author::ModelReader;
 
 Change prefix(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  return author::prefixed(edited, request.words[0], request.files);
+  return author::prefixed(edited, request.words[0], {request.files, request.found});
 }
 
 Change unprefix(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  return author::unprefixed(edited, request.words[0], request.files);
+  return author::unprefixed(edited, request.words[0], {request.files, request.found});
 }
 
 Change remove(const EditRequest& request, ModelReader&, const EditedModel& edited) {
   const auto subtree =
       request.options.subtree ? author::Subtree::kRemoved : author::Subtree::kRefused;
-  return author::removed(edited, request.words[0], subtree, request.files);
+  return author::removed(edited, request.words[0], subtree, {request.files, request.found});
 }
 
 Change extract(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  return author::extracted(edited, request.words[0], request.files);
+  return author::extracted(edited, request.words[0], {request.files, request.found});
 }
 
 Change reroot(const EditRequest& request, ModelReader&, const EditedModel& edited) {
@@ -80,7 +83,10 @@ author::AttachRequest attach_request(const EditOptions& options) {
   constexpr std::array<std::string_view, 2> kJoints{"fixed", "revolute"};
   author::AttachRequest asked;
   asked.link = options.to;
+  asked.frame = options.frame;
+  asked.tool_frame = options.tool_frame;
   asked.prefix = options.prefix;
+  if (options.include) asked.by = author::AttachBy::kInclude;
   if (!options.pose.empty()) asked.X_LG = pose_of("--pose", options.pose);
   if (!options.joint.empty() && choice("--joint", options.joint, kJoints) == 1) {
     asked.joint = author::AttachJoint::kRevolute;
@@ -98,11 +104,18 @@ author::AttachRequest attach_request(const EditOptions& options) {
 }
 
 Change attach(const EditRequest& request, ModelReader& reader, const EditedModel& arm) {
-  if (request.options.to.empty()) throw UsageError("edit attach needs --to LINK");
-  const author::AttachRequest asked = attach_request(request.options);
-  const author::OpenedModel gripper = reader.open(request.tool);
-  if (!gripper.model) throw InputError(gripper.problem);
-  return author::attached(reader, arm, *gripper.model, asked);
+  const EditOptions& options = request.options;
+  if (options.to.empty() && options.frame.empty())
+    throw UsageError("edit attach needs --to LINK or --frame FRAME");
+  const author::AttachRequest asked = attach_request(options);
+  const bool is_macro = !options.macro.empty() || !options.macro_parameters.empty();
+  const author::OpenedModel gripper = is_macro ? author::OpenedModel{} : reader.open(request.tool);
+  if (gripper.model) return author::attached(reader, arm, *gripper.model, asked);
+  if (!is_macro && !read::is_template(request.tool)) throw InputError(gripper.problem);
+  author::MacroRequest call{asked, options.macro, {}};
+  for (const std::string& each : options.macro_parameters)
+    call.parameters.insert(split_assignment("--param", each));
+  return author::attached_by_macro(reader, arm, request.tool, call);
 }
 
 Change merge(const EditRequest& request, ModelReader& reader, const EditedModel& first) {
@@ -200,13 +213,18 @@ Change lump(const EditRequest&, ModelReader&, const EditedModel& edited) {
 }
 
 Change add(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  constexpr std::array<std::string_view, 4> kWhat{"camera", "imu", "lidar", "ros2_control"};
   const EditOptions& options = request.options;
-  const std::size_t what = choice("template of edit add", request.words[0], kWhat);
-  if (what == 3) return author::with_ros2_control(edited);
-  if (options.to.empty()) throw UsageError("edit add " + request.words[0] + " needs --to LINK");
-  const model::Pose X_LS = options.pose.empty() ? model::Pose{} : pose_of("--pose", options.pose);
-  return author::with_sensor(edited, static_cast<author::SensorTemplate>(what), options.to, X_LS);
+  const std::vector<std::string_view> names = author::addition_names();
+  author::AddRequest asked;
+  asked.what = names[choice("template of edit add", request.words[0], names)];
+  asked.to = options.to;
+  asked.parameters = options.parameters;
+  if (!options.pose.empty()) asked.X = pose_of("--pose", options.pose);
+  if (!options.target.empty()) {
+    const std::vector<std::string_view> targets = rules::target_names();
+    asked.target = rules::target_named(targets[choice("--target", options.target, targets)]);
+  }
+  return author::added(edited, asked);
 }
 
 std::optional<double> given_number(const std::string& option, const std::string& text) {
@@ -240,20 +258,22 @@ Change move_frame(const EditRequest& request, ModelReader&, const EditedModel& e
 }
 
 constexpr EditVerb kEditVerbs[] = {
-    {"prefix", "PREFIX", "", prefix},
-    {"unprefix", "PREFIX", "", unprefix},
-    {"remove", "LINK", "--subtree", remove},
-    {"extract", "LINK", "", extract},
+    {"prefix", "PREFIX", "", prefix, false, true},
+    {"unprefix", "PREFIX", "", unprefix, false, true},
+    {"remove", "LINK", "--subtree", remove, false, true},
+    {"extract", "LINK", "", extract, false, true},
     {"reroot", "LINK", "", reroot},
     {"scale", "FACTOR", "", scale},
     {"mirror", "LINK", "--plane --rename", mirror},
-    {"attach", "", "--to --pose --joint --lower --upper --effort --velocity --prefix", attach,
-     true},
+    {"attach", "",
+     "--to --frame --tool-frame --include --macro --param --pose --joint --lower --upper --effort "
+     "--velocity --prefix",
+     attach, true},
     {"set-pose", "NAME POSE", "", set_pose},
     {"set-limit", "JOINT", "--lower --upper --effort --velocity", set_limit},
     {"move-frame", "LINK", "--to", move_frame},
     {"lump", "", "", lump},
-    {"add", "WHAT", "--to --pose", add},
+    {"add", "WHAT", "--to --pose --target --parameters", add},
     {"merge", "",
      "--to --pose --joint --lower --upper --effort --velocity --prefix --include --name", merge,
      true},

@@ -60,6 +60,8 @@ class ConfigOptions {
   /// UsageError when one is not there.
   std::vector<std::string> confinement() const;
 
+  bool is_isolated() const { return isolated_; }
+
   /// The disk that configurations are read from.
   const Disk& disk() const;
 

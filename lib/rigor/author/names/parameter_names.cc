@@ -19,10 +19,6 @@ constexpr std::array<std::string_view, 4> kJointKeyWords{"joint", "wheel", "inte
 constexpr std::array<std::string_view, 6> kLinkKeyWords{"link",     "frame",       "body",
                                                         "position", "orientation", "footprint"};
 
-/// Files of a workspace that are examined: a bound for folders that hold a data set.
-constexpr std::size_t kMaxParameterFiles = 10'000;
-constexpr int kMaxFolderDepth = 32;
-
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 /// Walks over lines; knows the keys around each text by indentation, brackets and tables.
@@ -163,31 +159,6 @@ class ParameterScanner {
   std::size_t column_ = 0;
 };
 
-class ParameterFileWalk {
- public:
-  explicit ParameterFileWalk(const Disk& disk) : disk_(disk) {}
-
-  void walk(const std::string& folder, int depth) {
-    if (depth > kMaxFolderDepth) return;
-    const std::vector<std::string> names = disk_.list(folder);
-    if (std::find(names.begin(), names.end(), "COLCON_IGNORE") != names.end()) return;
-    for (const std::string& name : names) {
-      if (name.starts_with('.') || files.size() >= kMaxParameterFiles) continue;
-      const std::string path = join_path(folder, name);
-      if (parameter_format(name)) {
-        if (disk_.kind(path) == PathKind::kFile) files.push_back(path);
-      } else if (disk_.kind(path) == PathKind::kFolder) {
-        walk(path, depth + 1);
-      }
-    }
-  }
-
-  std::vector<std::string> files;
-
- private:
-  const Disk& disk_;
-};
-
 }  // namespace
 
 std::optional<ParameterFormat> parameter_format(std::string_view path) {
@@ -213,15 +184,6 @@ bool ParameterName::is_of(NameKinds kinds) const {
 std::vector<ParameterName> parameter_names(std::string_view bytes, ParameterFormat format,
                                            SourceId source, std::string_view name) {
   return ParameterScanner(bytes, format, source, name).scan();
-}
-
-std::vector<std::string> parameter_files(const Disk& disk,
-                                         const std::vector<std::string>& folders) {
-  ParameterFileWalk walk(disk);
-  for (const std::string& folder : folders) walk.walk(folder, 0);
-  std::sort(walk.files.begin(), walk.files.end());
-  walk.files.erase(std::unique(walk.files.begin(), walk.files.end()), walk.files.end());
-  return std::move(walk.files);
 }
 
 }  // namespace rigor::author

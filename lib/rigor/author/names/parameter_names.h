@@ -19,7 +19,6 @@
 #include <vector>
 
 #include <rigor/author/names/file_names.h>
-#include <rigor/text/disk.h>
 #include <rigor/text/span.h>
 
 namespace rigor::author {
@@ -40,8 +39,5 @@ struct ParameterName {
 /// Keys and values that are the name, or an interface of it (`elbow/position`), in their order.
 std::vector<ParameterName> parameter_names(std::string_view bytes, ParameterFormat format,
                                            SourceId source, std::string_view name);
-
-/// Files of parameters in folders and below them, sorted. Hidden folders are left out, and those with COLCON_IGNORE.
-std::vector<std::string> parameter_files(const Disk& disk, const std::vector<std::string>& folders);
 
 }  // namespace rigor::author

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <rigor/author/names/name_graph.h>
+#include <rigor/author/names/workspace_files.h>
 #include <rigor/read/resolver.h>
 #include <rigor/text/edit.h>
 #include <rigor/text/sources.h>
@@ -37,18 +38,19 @@ struct RenameContext {
 struct Renaming {
   std::vector<Edit> edits;  ///< of any number of files, sorted, none of them twice
   std::string refused;      ///< why there are none, as the end of a sentence; empty when there are
-  /// Texts in files of parameters that may be the name; none of them is among the edits.
+  /// Places that may be the name: in files of parameters, in texts that are not understood, and in other files of a
+  /// robot of that name; none of them is among the edits.
   std::vector<Span> suspected = {};
 };
 
-/// Of the file that defines the name, and of `files`: models, templates and files of parameters of the workspace, or
-/// none for that file alone.
+/// Of the file that defines the name, and of `files`: models, templates, files of parameters and other texts of the
+/// workspace, or none for that file alone.
 Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
-                 const std::vector<std::string>& files);
+                 const ReferringFiles& files);
 
 /// Several at once, each to its own name, so that names may change places.
 Renaming renamed(const RenameContext& context, const std::map<EntityId, std::string>& names,
-                 const std::vector<std::string>& files);
+                 const ReferringFiles& files);
 
 /// Why no model, link, joint or frame can have the name; empty when it can.
 std::string name_fault(std::string_view name);

@@ -1,32 +1,48 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Something added that a simulator or a controller looks for, from a template that passes `validate`.
+// Something added that a simulator or a controller looks for, from a template (add_template.h) that passes every rule
+// for its target.
 //
-//   const Change change = with_sensor(*edited, SensorTemplate::kCamera, "head", {{0.1, 0, 0}, {}});
-//   const Change control = with_ros2_control(*edited);
+//   AddRequest request;
+//   request.what = "diff-drive";
+//   const Change change = added(*edited, request);
 //
-// Rates, sizes and ranges are those of common hardware, to be adapted. The robot stays the same.
+// Rates, sizes and ranges are those of common hardware, to be adapted; what a drive must know of its wheels is measured
+// (wheel_layout.h). The robot stays the same. Notes name the systems that a world of gz-sim has to load.
 
 #pragma once
 
-#include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <rigor/author/verbs/change.h>
 #include <rigor/model/pose.h>
+#include <rigor/rules/target.h>
 
 namespace rigor::author {
 
-enum class SensorTemplate : std::uint8_t { kCamera, kImu, kLidar };
+struct AddRequest {
+  std::string what;  ///< one of addition_names()
+  /// gz-sim when absent; of ros2_control and transmission ros.
+  std::optional<rules::Target> target;
+  /// The link of a sensor, the joint of a force_torque; of a joint-position-controller and a transmission the one joint,
+  /// all that move when empty.
+  std::string to;
+  model::Pose X;  ///< of a sensor in that link or joint, m
+  std::string
+      parameters;  ///< path of the controllers' YAML, for what starts ros2_control in a simulator
+};
 
-/// In the link, with X_LS in m: in SDF its child, in URDF in a `<gazebo>` block that refers to it. Named after its kind,
-/// with a number where that is taken.
-Change with_sensor(const EditedModel& edited, SensorTemplate kind, std::string_view link,
-                   const model::Pose& X_LS);
+/// Sensors: "camera", "depth_camera", "rgbd_camera", "imu", "lidar", "contact", "force_torque", "gps", "altimeter",
+/// "magnetometer". Plugins: "diff-drive", "ackermann", "joint-state-publisher", "joint-position-controller",
+/// "odometry-publisher", "pose-publisher". And "ros2_control" and "transmission", of URDF.
+std::vector<std::string_view> addition_names();
 
-/// A `<ros2_control>` of mock hardware for all joints of a URDF that move: commands of position, or of velocity where a
-/// joint is continuous; those that mimic another one have none.
-Change with_ros2_control(const EditedModel& edited);
+/// Refused: what its target has no template for, what the file's version of SDF has not, names that do not exist, and a
+/// drive of a model without wheels. A name that is taken gets a number.
+Change added(const EditedModel& edited, const AddRequest& request);
 
 }  // namespace rigor::author

@@ -43,6 +43,8 @@ std::vector<std::uint32_t> roots_of(const robot::Robot& robot) {
 }
 
 constexpr int kFirstWithNestedModels = 5;
+constexpr int kFirstWithFrames = 7;
+constexpr int kFirstWithPlacementFrame = 8;
 
 class Attacher {
  public:
@@ -51,10 +53,16 @@ class Attacher {
       : reader_(reader), arm_(arm), gripper_(&gripper), request_(request) {}
 
   Change attach() {
-    if (std::string fault = fault_of_parts(); !fault.empty()) return refusal(std::move(fault));
-    if (std::string fault = make_unique(); !fault.empty()) return refusal(std::move(fault));
+    for (const auto step : {&Attacher::place, &Attacher::fault_of_parts, &Attacher::make_unique,
+                            &Attacher::fault_of_inclusion}) {
+      if (std::string fault = (this->*step)(); !fault.empty()) return refusal(std::move(fault));
+    }
+    const auto block = arm_.loaded.file->expanded ? template_block()
+                       : arm_.is_urdf()           ? urdf_block()
+                                                  : sdf_block();
+    if (!block) return refusal("its file has no content to add to");
     Change change;
-    change.steps.push_back({arm_.is_urdf() ? urdf_block() : sdf_block()});
+    change.steps.push_back({*block});
     change.expected = joined();
     change.notes = std::move(notes_);
     change.asks_for_setting = [](const robot::Difference& difference) {
@@ -64,15 +72,70 @@ class Attacher {
   }
 
  private:
-  std::string fault_of_parts() const {
-    if (arm_.body_index(request_.link) == robot::kNoIndex || !arm_.link(request_.link))
-      return fmt::format("no link is named '{}'", request_.link);
-    if (arm_.loaded.file->expanded)
-      return "it is a template: include the gripper's file and call its macro there";
+  /// Of a frame or link by its name, in the frame of the model.
+  static std::optional<Pose> placed(const EditedModel& edited, const std::string& name) {
+    auto X_WF = edited.frames.pose(edited.link(name));
+    if (!X_WF && edited.frame(name)) X_WF = edited.frames.pose(edited.frame(name));
+    const auto X_WM = edited.frames.pose(edited.model);
+    if (!X_WF || !X_WM) return std::nullopt;
+    return compose(inverse(*X_WM), *X_WF);
+  }
+
+  std::string link_of_frame() const {
+    for (const robot::Frame& frame : arm_.robot.frames) {
+      if (frame.name == request_.frame && frame.body != robot::kNoIndex)
+        return arm_.robot.bodies[frame.body].name;
+    }
+    return request_.frame;
+  }
+
+  /// Finds link and pose.
+  std::string place() {
+    link_ = request_.link.empty() ? link_of_frame() : request_.link;
+    base_ = request_.frame.empty() ? link_ : request_.frame;
+    if (arm_.body_index(link_) == robot::kNoIndex || !arm_.link(link_))
+      return fmt::format("no link is named '{}'", link_);
+    const auto X_MB = placed(arm_, base_), X_ML = placed(arm_, link_);
+    if (!X_MB) return fmt::format("no frame is named '{}'", base_);
+    if (!X_ML) return fmt::format("nobody knows where '{}' is", link_);
+    X_BG_ = request_.X_LG;
+    if (!request_.tool_frame.empty()) {
+      const auto X_GT = placed(*gripper_, request_.tool_frame);
+      if (!X_GT) return fmt::format("{} has no frame '{}'", gripper_->path(), request_.tool_frame);
+      X_BG_ = compose(X_BG_, inverse(*X_GT));
+    }
+    X_LG_ = base_ == link_ ? X_BG_ : compose(compose(inverse(*X_ML), *X_MB), X_BG_);
+    return {};
+  }
+
+  bool is_template() const { return arm_.loaded.file->expanded != nullptr; }
+  bool includes() const { return is_template() || request_.by == AttachBy::kInclude; }
+
+  /// What is said of a copy is done to a copy only: another file keeps its names and paths.
+  std::string fault_of_inclusion() {
+    if (request_.by == AttachBy::kInclude && arm_.is_urdf() && !is_template())
+      return "URDF has no <include>: without it, the gripper is copied";
+    if (!is_template()) return {};
+    if (own_) {
+      return fmt::format("names of {} are taken, and a file that is included keeps them",
+                         gripper_->path());
+    }
+    if (!moved_paths().empty())
+      return fmt::format("meshes of {} have relative paths: use package://", gripper_->path());
+    const std::set<std::string> of_arm = material_names(arm_);
+    for (const model::RobotMaterial& each : gripper_->root().materials) {
+      if (of_arm.contains(each.name.value))
+        return fmt::format("material '{}' would be defined twice", each.name.value);
+    }
+    return {};
+  }
+
+  std::string fault_of_parts() {
     if (arm_.is_urdf() != gripper_->is_urdf())
       return "one is SDF and one URDF: convert one of them first";
     const int version = arm_.root()[arm_.model].version;
-    if (!arm_.is_urdf() && gripper_->root()[gripper_->model].version != version) {
+    const bool differ = gripper_->root()[gripper_->model].version != version;
+    if (!arm_.is_urdf() && differ && !includes()) {
       return fmt::format("one is SDF 1.{} and one 1.{}: bring them to one version first", version,
                          gripper_->root()[gripper_->model].version);
     }
@@ -95,7 +158,7 @@ class Attacher {
 
   /// Names that are taken, or asked to be, with a prefix. Nested models have names of their own.
   std::string make_unique() {
-    joint_ = fmt::format("{}_to_{}", request_.link, gripper_->robot.name);
+    joint_ = fmt::format("{}_to_{}", link_, gripper_->robot.name);
     std::replace(joint_.begin(), joint_.end(), ':', '_');
     const std::set<std::string> taken = all_names(arm_.robot);
     std::string prefix = request_.prefix;
@@ -111,7 +174,7 @@ class Attacher {
       prefix.clear();
     }
     for (int i = 2; taken.contains(joint_); ++i)
-      joint_ = fmt::format("{}_to_{}_{}", request_.link, gripper_->robot.name, i);
+      joint_ = fmt::format("{}_to_{}_{}", link_, gripper_->robot.name, i);
     if (prefix.empty()) return {};
     ProvenChange renamed = prove(reader_, *gripper_, prefixed(*gripper_, prefix, {}));
     if (!renamed.refused.empty() || !renamed.after) return renamed.refused;
@@ -216,21 +279,16 @@ class Attacher {
     }
   }
 
-  Edit urdf_block() {
-    std::vector<Edit> edits = moved_paths();
-    merge_materials(edits);
-    const xml::Element root = gripper_->element(gripper_->root()[gripper_->model].site);
-    const auto end = end_of_content(gripper_->document(), root);
-    const std::uint32_t begin = root.tag_span().end;
+  /// The joint, whole lines with the arm's indentation.
+  std::string urdf_joint() const {
     const std::string unit = xml::indent_unit(arm_.document(), *arm_.document().root());
     const std::string in = child_indentation(arm_.document(), holder());
     const std::string line(xml::line_end(arm_.document(), 0));
     std::string text = fmt::format("{}<joint name=\"{}\" type=\"{}\">{}", in, joint_,
                                    is_fixed() ? "fixed" : "revolute", line);
     const auto add = [&](const std::string& xml) { text += in + unit + xml + line; };
-    add(fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", xyz_text(request_.X_LG),
-                    rpy_text(request_.X_LG)));
-    add(fmt::format("<parent link=\"{}\"/>", request_.link));
+    add(fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", xyz_text(X_LG_), rpy_text(X_LG_)));
+    add(fmt::format("<parent link=\"{}\"/>", link_));
     add(fmt::format("<child link=\"{}\"/>", child_name()));
     if (!is_fixed()) {
       add("<axis xyz=\"0 0 1\"/>");
@@ -239,39 +297,101 @@ class Attacher {
                       schema::to_shortest(request_.effort),
                       schema::to_shortest(request_.velocity)));
     }
-    text += in + "</joint>" + line;
-    if (end) text += trimmed_lines(part_after(gripper_->document(), begin, *end, std::move(edits)));
-    return *block_at_end(arm_.document(), holder(), std::move(text));
+    return text + in + "</joint>" + line;
   }
 
-  Edit sdf_block() {
+  /// In the template's own file.
+  std::optional<Edit> template_block() const {
+    const std::string path = relative_path(parent_path(arm_.path()), gripper_->path());
+    const std::string in = child_indentation(arm_.document(), holder());
+    const std::string line(xml::line_end(arm_.document(), 0));
+    return block_in_template(arm_, trimmed_lines(fmt::format("{}<xacro:include filename=\"{}\"/>{}",
+                                                             in, xml::escaped(path), line) +
+                                                 urdf_joint()));
+  }
+
+  std::optional<Edit> urdf_block() {
+    std::vector<Edit> edits = moved_paths();
+    merge_materials(edits);
+    const xml::Element root = gripper_->element(gripper_->root()[gripper_->model].site);
+    const auto end = end_of_content(gripper_->document(), root);
+    const std::uint32_t begin = root.tag_span().end;
+    std::string text = urdf_joint();
+    if (end) text += trimmed_lines(part_after(gripper_->document(), begin, *end, std::move(edits)));
+    return block_at_end(arm_.document(), holder(), std::move(text));
+  }
+
+  /// The URI that leads to the gripper's file from the arm's.
+  std::string include_uri() {
+    const std::string folder(parent_path(gripper_->path()));
+    const std::string uri = "model://" + std::string(file_name(normalize_path(folder)));
+    const read::Resolver& resolver = arm_.environment.resolver;
+    const auto found = resolver.resolve(uri, arm_.path()).path;
+    const bool has_config =
+        resolver.disk().kind(join_path(folder, "model.config")) == PathKind::kFile;
+    if (has_config && found && normalize_path(*found) == normalize_path(folder)) return uri;
+    notes_.push_back(
+        fmt::format("{} is included by its path: in a model's folder with a "
+                    "model.config it would have a model:// URI",
+                    gripper_->path()));
+    return relative_path(parent_path(arm_.path()), gripper_->path());
+  }
+
+  /// Where it is, in the arm's words: `<pose relative_to="tool0">…</pose>`.
+  std::string pose_element(const Pose& X_BG) const {
+    if (arm_.root()[arm_.model].version >= kFirstWithFrames) {
+      return fmt::format("<pose relative_to=\"{}\">{} {}</pose>", base_, xyz_text(X_BG),
+                         rpy_text(X_BG));
+    }
+    const Pose X_MG = compose(*placed(arm_, base_), X_BG);
+    return fmt::format("<pose>{} {}</pose>", xyz_text(X_MG), rpy_text(X_MG));
+  }
+
+  std::string included_model() {
+    const std::string unit = xml::indent_unit(arm_.document(), *arm_.document().root());
+    const std::string in = child_indentation(arm_.document(), holder());
+    const std::string line(xml::line_end(arm_.document(), 0));
+    std::string text = in + "<include>" + line;
+    const auto add = [&](const std::string& xml) { text += in + unit + xml + line; };
+    add("<uri>" + xml::escaped(include_uri()) + "</uri>");
+    add("<name>" + xml::escaped(name_) + "</name>");
+    const bool by_frame =
+        !request_.tool_frame.empty() && arm_.root()[arm_.model].version >= kFirstWithPlacementFrame;
+    add(pose_element(by_frame ? request_.X_LG : X_BG_));
+    if (by_frame)
+      add("<placement_frame>" + xml::escaped(request_.tool_frame) + "</placement_frame>");
+    return text + in + "</include>" + line;
+  }
+
+  std::string copied_model() {
     const model::Model& model = gripper_->root()[gripper_->model];
     const xml::Element element = gripper_->element(model.site);
     std::vector<Edit> edits = moved_paths();
     append(edits, xml::set_attribute(gripper_->document(), element, "name", name_));
     if (const auto pose = element.child("pose"))
       append(edits, xml::remove_element(gripper_->document(), *pose));
-    const bool frames = arm_.root()[arm_.model].version >= 7;
-    const Pose X_ML = compose(inverse(*arm_.frames.pose(arm_.model)),
-                              *arm_.frames.pose(arm_.link(request_.link)));
-    const Pose X = frames ? request_.X_LG : compose(X_ML, request_.X_LG);
-    const std::string attribute =
-        frames ? fmt::format(" relative_to=\"{}\"", request_.link) : std::string();
     const std::string in = child_indentation(arm_.document(), holder());
     const std::string line(xml::line_end(arm_.document(), 0));
     const std::string unit = xml::indent_unit(arm_.document(), *arm_.document().root());
     const std::uint32_t tag_end = element.tag_span().end;
     edits.push_back({{gripper_->document().source(), tag_end, tag_end},
-                     fmt::format("{}{}<pose{}>{} {}</pose>", line, in + unit, attribute,
-                                 xyz_text(X), rpy_text(X))});
-    std::string text = in +
-                       part_after(gripper_->document(), element.span().begin, element.span().end,
-                                  std::move(edits)) +
-                       line;
+                     line + in + unit + pose_element(X_BG_)});
+    return in +
+           part_after(gripper_->document(), element.span().begin, element.span().end,
+                      std::move(edits)) +
+           line;
+  }
+
+  std::optional<Edit> sdf_block() {
+    const bool frames = arm_.root()[arm_.model].version >= kFirstWithFrames;
+    const std::string in = child_indentation(arm_.document(), holder());
+    const std::string line(xml::line_end(arm_.document(), 0));
+    const std::string unit = xml::indent_unit(arm_.document(), *arm_.document().root());
+    std::string text = includes() ? included_model() : copied_model();
     text += fmt::format("{}<joint name=\"{}\" type=\"{}\">{}", in, joint_,
                         is_fixed() ? "fixed" : "revolute", line);
     const auto add = [&](const std::string& xml) { text += in + unit + xml + line; };
-    add(fmt::format("<parent>{}</parent>", request_.link));
+    add(fmt::format("<parent>{}</parent>", link_));
     add(fmt::format("<child>{}</child>", child_name()));
     if (!is_fixed()) {
       add(fmt::format(
@@ -281,7 +401,7 @@ class Attacher {
           schema::to_shortest(request_.lower), schema::to_shortest(request_.upper),
           schema::to_shortest(request_.effort), schema::to_shortest(request_.velocity)));
     }
-    return *block_at_end(arm_.document(), holder(), text + in + "</joint>");
+    return block_at_end(arm_.document(), holder(), text + in + "</joint>");
   }
 
   bool is_fixed() const { return request_.joint == AttachJoint::kFixed; }
@@ -299,19 +419,21 @@ class Attacher {
     if (!arm_.is_urdf()) scope_names(part);
     for (robot::Body& body : part.bodies) {
       for (auto* parts : {&body.collisions, &body.visuals}) {
-        for (robot::Part& each : *parts) each.shape.uri = moved_path(each.shape.uri);
+        for (robot::Part& each : *parts) {
+          if (!includes()) each.shape.uri = moved_path(each.shape.uri);
+        }
       }
     }
     const auto offset = static_cast<std::uint32_t>(all.bodies.size());
     robot::Joint joint;
     joint.name = joint_;
     joint.type = is_fixed() ? model::JointType::kFixed : model::JointType::kRevolute;
-    joint.parent = arm_.body_index(request_.link);
+    joint.parent = arm_.body_index(link_);
     joint.child = offset + root;
-    const Pose X_ML = compose(inverse(*arm_.frames.pose(arm_.model)),
-                              *arm_.frames.pose(arm_.link(request_.link)));
+    const Pose X_ML =
+        compose(inverse(*arm_.frames.pose(arm_.model)), *arm_.frames.pose(arm_.link(link_)));
     const Pose X_BL = compose(inverse(all.bodies[joint.parent].X_MB), X_ML);
-    joint.X_PJ = compose(X_BL, compose(request_.X_LG, X_GR));
+    joint.X_PJ = compose(X_BL, compose(X_LG_, X_GR));
     if (!is_fixed()) joint.axes.push_back(axis(X_GR));
     for (robot::Body& body : part.bodies) all.bodies.push_back(std::move(body));
     for (robot::Joint& each : part.joints) {
@@ -361,6 +483,10 @@ class Attacher {
   const EditedModel* gripper_;
   std::unique_ptr<EditedModel> own_;  ///< the gripper with a prefix
   const AttachRequest& request_;
+  std::string link_;   ///< of the arm
+  std::string base_;   ///< a frame or link of the arm
+  Pose X_BG_;          ///< of the gripper in that
+  Pose X_LG_;          ///< in the link
   std::string joint_;  ///< the new joint's name
   std::string name_;   ///< of the nested model, in SDF
   std::vector<std::string> notes_;

@@ -42,6 +42,18 @@ std::optional<Edit> block_at_end(const xml::Document& document, xml::Element hol
   return Edit{{document.source(), *at, *at}, text + line};
 }
 
+std::optional<Edit> block_in_template(const EditedModel& edited, std::string text) {
+  const read::ExpandedFile* expanded = edited.loaded.file->expanded.get();
+  const xml::Element root = edited.element(edited.root()[edited.model].site);
+  if (expanded == nullptr) return std::nullopt;
+  const Span tag = expanded->origin(edited.document(), root.name_span(), edited.sources).where;
+  if (tag.nowhere()) return std::nullopt;
+  const xml::Document written = xml::parse_own(edited.sources.bytes(tag.source), tag.source);
+  if (!written.complete() || !written.root() || !written.root()->attribute("xmlns:xacro"))
+    return std::nullopt;
+  return block_at_end(written, *written.root(), std::move(text));
+}
+
 std::string child_indentation(const xml::Document& document, xml::Element holder) {
   for (const xml::Element child : holder.children()) {
     if (xml::stands_first(document, child)) return xml::indentation(document, child);

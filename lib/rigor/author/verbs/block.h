@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/author/verbs/edited_model.h>
 #include <rigor/model/pose.h>
 #include <rigor/text/edit.h>
 #include <rigor/xml/document.h>
@@ -31,6 +32,10 @@ std::string part_after(const xml::Document& document, std::uint32_t begin, std::
 /// The text, whole lines with the indentation that it has, as the last content of an element; nothing in `<a/>`.
 std::optional<Edit> block_at_end(const xml::Document& document, xml::Element holder,
                                  std::string text);
+
+/// The same, as the last content of the root of the file that a template is written in. Nothing where that has none, or
+/// does not declare `xacro:`.
+std::optional<Edit> block_in_template(const EditedModel& edited, std::string text);
 
 /// What the children of an element begin with.
 std::string child_indentation(const xml::Document& document, xml::Element holder);

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <rigor/author/names/name_graph.h>
+#include <rigor/author/names/parameter_names.h>
 #include <rigor/convert/settings.h>
 #include <rigor/read/documents.h>
 #include <rigor/text/path.h>
@@ -92,10 +93,20 @@ std::vector<Difference> settings_between(const EditedModel& before, const Edited
                                    {after.root(), changed, after.environment.sdf, after.model});
 }
 
-/// Names in the model's file that mean something.
-std::size_t references_of(const EditedModel& edited) {
+/// Names in a file that mean something.
+std::size_t references_in(const EditedModel& edited, const std::string& path) {
   NameGraph graph(edited.workspace, edited.environment.resolver);
-  return graph.uses(edited.path()).size();
+  graph.add_robot(edited.path());
+  return graph.uses(path).size();
+}
+
+/// Why a file that changed lost the meaning of a name; empty when none did.
+std::string lost_reference(const EditedModel& before, const EditedModel& after,
+                           const std::string& path) {
+  if (parameter_format(path)) return {};
+  const std::size_t was = references_in(before, path), is = references_in(after, path);
+  if (is >= was) return {};
+  return fmt::format("{} names in {} refer to something before, {} after", was, path, is);
 }
 
 }  // namespace
@@ -136,10 +147,10 @@ ProvenChange prove(ModelReader& reader, const EditedModel& edited, const Change&
     (asked ? proven.asked : proven.unasked).push_back(std::move(difference));
   }
   if (change.references == References::kKept) {
-    const std::size_t before = references_of(edited), after = references_of(*proven.after);
-    if (after < before) {
-      proven.refused =
-          fmt::format("{} names in the file refer to something before, {} after", before, after);
+    std::vector<std::string> paths{edited.path()};
+    for (const EditedFile& file : proven.files) paths.push_back(file.path);
+    for (const std::string& path : paths) {
+      if (proven.refused.empty()) proven.refused = lost_reference(edited, *proven.after, path);
     }
   }
   return proven;

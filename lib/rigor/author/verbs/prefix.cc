@@ -14,6 +14,7 @@
 #include <rigor/author/names/name_graph.h>
 #include <rigor/author/names/parameter_names.h>
 #include <rigor/author/names/rename.h>
+#include <rigor/author/names/text_mentions.h>
 #include <rigor/text/path.h>
 #include <rigor/xml/edit.h>
 
@@ -85,12 +86,9 @@ void rename_included(const EditedModel& edited, NameGraph& graph, const std::str
 }
 
 Change with_new_names(const EditedModel& edited, const NewName& new_name,
-                      const std::vector<std::string>& files) {
+                      const ReferringFiles& files) {
   NameGraph graph(edited.workspace, edited.environment.resolver);
   graph.add_robot(edited.path());
-  for (const std::string& file : files) {
-    if (!parameter_format(file)) graph.add_robot(file);
-  }
   const std::string path = normalize_path(edited.path());
   const FileNames& names = graph.names(path);
   const std::uint32_t scope = scope_of(edited, names);
@@ -115,11 +113,8 @@ Change with_new_names(const EditedModel& edited, const NewName& new_name,
   if (!renaming.refused.empty()) return refusal(std::move(renaming.refused));
   for (Edit& edit : renaming.edits) change.steps.push_back({std::move(edit)});
   if (has_unnamed) rename_included(edited, graph, path, new_name, change);
-  for (const Span where : renaming.suspected) {
-    change.notes.push_back(fmt::format("{}:{}: may be a name; not renamed",
-                                       edited.sources.path(where.source),
-                                       edited.sources.position(where.source, where.begin).line));
-  }
+  for (const std::string& line : mention_lines(edited.sources, renaming.suspected))
+    change.notes.push_back(line + "; not renamed");
   change.expected = with_names(edited.robot, new_name);
   change.references = References::kKept;
   // What is in a link of another name is another link's: the names that refer to it are counted instead.
@@ -129,8 +124,7 @@ Change with_new_names(const EditedModel& edited, const NewName& new_name,
 
 }  // namespace
 
-Change prefixed(const EditedModel& edited, std::string_view prefix,
-                const std::vector<std::string>& files) {
+Change prefixed(const EditedModel& edited, std::string_view prefix, const ReferringFiles& files) {
   return with_new_names(
       edited,
       [prefix](const std::string& name) -> std::optional<std::string> {
@@ -140,8 +134,7 @@ Change prefixed(const EditedModel& edited, std::string_view prefix,
       files);
 }
 
-Change unprefixed(const EditedModel& edited, std::string_view prefix,
-                  const std::vector<std::string>& files) {
+Change unprefixed(const EditedModel& edited, std::string_view prefix, const ReferringFiles& files) {
   return with_new_names(
       edited,
       [prefix](const std::string& name) -> std::optional<std::string> {

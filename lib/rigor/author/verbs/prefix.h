@@ -15,16 +15,15 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/author/names/workspace_files.h>
 #include <rigor/author/verbs/change.h>
 
 namespace rigor::author {
 
 /// `files` are models, SRDF and files of parameters in which references are renamed, too.
-Change prefixed(const EditedModel& edited, std::string_view prefix,
-                const std::vector<std::string>& files);
+Change prefixed(const EditedModel& edited, std::string_view prefix, const ReferringFiles& files);
 
 /// The prefix taken away from the names that have it.
-Change unprefixed(const EditedModel& edited, std::string_view prefix,
-                  const std::vector<std::string>& files);
+Change unprefixed(const EditedModel& edited, std::string_view prefix, const ReferringFiles& files);
 
 }  // namespace rigor::author

@@ -13,6 +13,7 @@
 
 #include <rigor/author/names/name_graph.h>
 #include <rigor/author/names/parameter_names.h>
+#include <rigor/author/names/text_mentions.h>
 #include <rigor/author/verbs/draft.h>
 #include <rigor/author/verbs/placed.h>
 #include <rigor/author/verbs/robot_laws.h>
@@ -38,11 +39,11 @@ constexpr std::string_view kDependents[] = {"transmission",
 
 class Remover {
  public:
-  Remover(const EditedModel& edited, std::vector<bool> kept, const std::vector<std::string>& files)
+  Remover(const EditedModel& edited, std::vector<bool> kept, const ReferringFiles& files)
       : edited_(edited),
         root_(edited.root()),
         kept_(std::move(kept)),
-        files_(files),
+        files_(files.all()),
         draft_(edited),
         graph_(edited.workspace, edited.environment.resolver) {}
 
@@ -52,7 +53,7 @@ class Remover {
     if (!refused_.empty()) return refusal(refused_);
     rewrite_poses();
     remove_uses();
-    list_parameters();
+    list_texts();
     if (!refused_.empty()) return refusal(refused_);
     for (const xml::Element element : removed_) draft_.remove(element);
     Change change;
@@ -180,7 +181,9 @@ class Remover {
     files.push_back(edited_.path());
     std::set<std::string> seen;
     for (const std::string& path : files) {
-      if (parameter_format(path) || !seen.insert(normalize_path(path)).second) continue;
+      if (parameter_format(path) || is_mentioning_text(path) ||
+          !seen.insert(normalize_path(path)).second)
+        continue;
       const read::File& file = graph_.file(path);
       if (!file.document) continue;
       std::set<std::uint32_t> done;
@@ -236,27 +239,21 @@ class Remover {
                                  text, edited_.sources.bytes(use.where)));
   }
 
-  void list_parameters() {
-    constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20U;  // what people write
+  void list_texts() {
+    std::vector<Span> places;
     for (const std::string& path : files_) {
-      const auto format = parameter_format(path);
-      if (!format) continue;
-      const ReadResult read = edited_.environment.resolver.disk().read(path, kMaxBytes);
-      if (!read.bytes) continue;
-      const SourceId source = edited_.sources.add(path, *read.bytes);
-      for (const std::string& name : names_) {
-        for (const ParameterName& use :
-             parameter_names(edited_.sources.bytes(source), *format, source, name)) {
-          note({{}, use.where}, "may name what is removed");
-        }
-      }
+      for (const Span where :
+           names_in_text(edited_.environment.disk, edited_.sources, path, names_))
+        places.push_back(where);
     }
+    for (const std::string& line : mention_lines(edited_.sources, places))
+      notes_.push_back(line + ", which is removed");
   }
 
   const EditedModel& edited_;
   const model::Root& root_;
   std::vector<bool> kept_;  ///< by body
-  const std::vector<std::string>& files_;
+  const std::vector<std::string> files_;
   Draft draft_;
   NameGraph graph_;
   std::vector<xml::Element> removed_;  ///< of the model's document
@@ -277,7 +274,7 @@ std::string link_fault(const EditedModel& edited, std::string_view link) {
 }  // namespace
 
 Change removed(const EditedModel& edited, std::string_view link, Subtree subtree,
-               const std::vector<std::string>& files) {
+               const ReferringFiles& files) {
   if (std::string fault = link_fault(edited, link); !fault.empty()) return refusal(fault);
   std::vector<bool> kept = subtree_of(edited.robot, edited.body_index(link));
   const auto count = std::count(kept.begin(), kept.end(), true);
@@ -291,8 +288,7 @@ Change removed(const EditedModel& edited, std::string_view link, Subtree subtree
   return Remover(edited, std::move(kept), files).remove();
 }
 
-Change extracted(const EditedModel& edited, std::string_view link,
-                 const std::vector<std::string>& files) {
+Change extracted(const EditedModel& edited, std::string_view link, const ReferringFiles& files) {
   if (std::string fault = link_fault(edited, link); !fault.empty()) return refusal(fault);
   const std::uint32_t body = edited.body_index(link);
   const std::vector<bool> kept = subtree_of(edited.robot, body);

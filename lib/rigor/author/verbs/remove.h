@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/author/names/workspace_files.h>
 #include <rigor/author/verbs/change.h>
 
 namespace rigor::author {
@@ -25,11 +26,10 @@ namespace rigor::author {
 enum class Subtree : std::uint8_t { kRefused, kRemoved };
 
 Change removed(const EditedModel& edited, std::string_view link, Subtree subtree,
-               const std::vector<std::string>& files);
+               const ReferringFiles& files);
 
 /// All but the link and what it carries is removed; it is the root of what is left, its frame in the model (SDF) as it
 /// was.
-Change extracted(const EditedModel& edited, std::string_view link,
-                 const std::vector<std::string>& files);
+Change extracted(const EditedModel& edited, std::string_view link, const ReferringFiles& files);
 
 }  // namespace rigor::author

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/author/names/parameter_names.h>
 #include <rigor/author/names/template_rename.h>
 #include <rigor/lsp/answer/answers.h>
 #include <rigor/lsp/answer/edits_json.h>
@@ -128,21 +127,21 @@ Json rename(State& state, const Json& params) {
   Analysis fresh(state.environment(), document.path(), document.text());
   if (!fresh.written().complete())
     throw RequestError(ErrorCode::kRequestFailed, "the document is not well-formed XML");
-  const std::vector<std::string> files = workspace_files(state, document);
-  add_robots(fresh.names(), files);
+  const author::WorkspaceFiles files = files_of_workspace(state, document);
+  add_robots(fresh.names(), files.models);
   const auto name = name_at(fresh, offset_in(document, member(params, "position")));
   if (!name)
     throw RequestError(ErrorCode::kRequestFailed, "nothing here has a name that can be changed");
   const author::RenameContext context{fresh.names(), state.environment().resolver, fresh.sources()};
   const std::string new_name = text_at(params, "newName");
-  std::vector<std::string> templates = files;
+  std::vector<std::string> templates = files.models;
   templates.push_back(document.path());
-  std::vector<std::string> all = files;
-  for (std::string& path : author::parameter_files(state.disk, workspace_folders(state, document)))
-    all.push_back(std::move(path));
+  std::vector<std::string> all = files.models;
+  all.insert(all.end(), files.texts.begin(), files.texts.end());
   const author::Renaming renaming =
       std::holds_alternative<author::EntityId>(name->name)
-          ? author::renamed(context, std::get<author::EntityId>(name->name), new_name, all)
+          ? author::renamed(context, std::get<author::EntityId>(name->name), new_name,
+                            {{document.path()}, all})
           : author::renamed_in_templates(context, templates,
                                          std::get<author::TemplateName>(name->name), new_name);
   if (!renaming.refused.empty())

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <rigor/author/names/template_rename.h>
-#include <rigor/read/discover.h>
 #include <rigor/text/path.h>
 
 namespace rigor::lsp {
@@ -105,14 +104,15 @@ std::vector<std::string> workspace_folders(const State& state, const OpenDocumen
   return {std::string(parent_path(document.path()))};
 }
 
+author::WorkspaceFiles files_of_workspace(const State& state, const OpenDocument& document) {
+  author::WorkspaceFiles files =
+      author::workspace_files(state.disk, workspace_folders(state, document), {});
+  for (const auto& [uri, open] : state.documents) files.models.push_back(open->path());
+  return files;
+}
+
 std::vector<std::string> workspace_files(const State& state, const OpenDocument& document) {
-  read::Discovered found = read::discover(state.disk, workspace_folders(state, document));
-  for (read::LeftOut& left : found.left_out) {
-    if (!left.excluded) found.files.push_back(std::move(left.path));
-  }
-  for (std::string& path : found.semantic) found.files.push_back(std::move(path));
-  for (const auto& [uri, open] : state.documents) found.files.push_back(open->path());
-  return std::move(found.files);
+  return files_of_workspace(state, document).models;
 }
 
 }  // namespace rigor::lsp

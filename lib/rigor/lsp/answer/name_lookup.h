@@ -13,6 +13,7 @@
 #include <rigor/author/names/name_graph.h>
 #include <rigor/author/names/rename.h>
 #include <rigor/author/names/template_names.h>
+#include <rigor/author/names/workspace_files.h>
 #include <rigor/lsp/document/analysis.h>
 #include <rigor/lsp/session/state.h>
 
@@ -39,7 +40,10 @@ std::vector<NamePlace> places_of(Analysis& analysis, const NameAt& name,
 /// The workspace's, or that of the document when it has none.
 std::vector<std::string> workspace_folders(const State& state, const OpenDocument& document);
 
-/// Models and templates of the workspace.
+/// What may refer to a model of the workspace.
+author::WorkspaceFiles files_of_workspace(const State& state, const OpenDocument& document);
+
+/// Its models and templates, and the documents that are open.
 std::vector<std::string> workspace_files(const State& state, const OpenDocument& document);
 
 /// Where a use is written: itself, or the place in a template that it was made of; nowhere when an expression

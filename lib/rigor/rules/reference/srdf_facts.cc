@@ -60,16 +60,44 @@ std::optional<read::Srdf> srdf_of(Context& context) {
   return read::read_srdf(*root);
 }
 
+/// `key: value` behind a line that begins a section, in YAML as MoveIt's setup assistant writes it.
+std::string setting(std::string_view yaml, std::string_view key) {
+  std::size_t at = yaml.find("URDF:");
+  if (at == yaml.npos || (at = yaml.find(key, at)) == yaml.npos) return {};
+  at = std::min(yaml.find_first_not_of(" \"'", at + key.size()), yaml.size());
+  return std::string(yaml.substr(at, yaml.find_first_of(" \"'\r\n", at) - at));
+}
+
+/// The robot that MoveIt's setup assistant was given: a path in a package, wherever that one is.
+std::vector<std::string> robot_of_setup_assistant(const read::Resolver& resolver,
+                                                  const std::string& srdf_path) {
+  constexpr std::uint64_t kMaxSettings = std::uint64_t{64} << 10U;
+  const std::string folder(parent_path(srdf_path));
+  for (const std::string& around : {folder, normalize_path(join_path(folder, ".."))}) {
+    const ReadResult file =
+        resolver.disk().read(join_path(around, ".setup_assistant"), kMaxSettings);
+    if (!file.bytes) continue;
+    const std::string package = setting(*file.bytes, "package:");
+    const std::string path = setting(*file.bytes, "relative_path:");
+    if (package.empty() || path.empty()) continue;
+    const auto found = resolver.resolve("package://" + package + '/' + path, srdf_path).path;
+    if (found) return {*found};
+  }
+  return {};
+}
+
 std::vector<robot::SemanticTarget> targets_of(Context& context, const read::Srdf& srdf) {
   std::vector<robot::SemanticTarget> targets;
   const std::string path(context.sources().path(context.root().source));
   const auto schema = schema::Schema::parse(schema::urdf_schema_text());
   Sources sources;
-  const read::Resolver resolver(context.disk(), {});  // packages around the file
+  const read::Resolver& resolver = context.resolver();
   read::Workspace workspace(resolver, sources);
   const read::Reader reader{workspace, resolver, context.sdf_schema(),
                             std::get<schema::Schema>(schema)};
-  for (const std::string& each : robots_near(context.disk(), path, srdf.robot.text)) {
+  std::vector<std::string> files = robots_near(context.disk(), path, srdf.robot.text);
+  if (files.empty()) files = robot_of_setup_assistant(resolver, path);
+  for (const std::string& each : files) {
     const read::File& file = workspace.open(each);
     // Of a robot that is read in part, what is missing may be there.
     if (!file.document || !file.document->complete()) continue;

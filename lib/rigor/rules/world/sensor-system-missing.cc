@@ -9,29 +9,9 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/world/sensor_systems.h>
 
 namespace rigor::rules::sensor_system_missing {
-
-struct System {
-  std::string_view library;  // "imu" of gz-sim-imu-system
-  std::string_view name;     // of the class, in gz::sim::systems
-  std::string_view sensors;  // types that it runs, between blanks
-};
-constexpr System kSystems[] = {
-    {"sensors", "Sensors",
-     " camera depth depth_camera rgbd_camera rgbd gpu_lidar gpu_ray thermal_camera thermal "
-     "segmentation_camera segmentation boundingbox_camera boundingbox wideanglecamera "
-     "wide_angle_camera "},
-    {"imu", "Imu", " imu "},
-    {"contact", "Contact", " contact "},
-    {"magnetometer", "Magnetometer", " magnetometer "},
-    {"altimeter", "Altimeter", " altimeter "},
-    {"air-pressure", "AirPressure", " air_pressure "},
-    {"air-speed", "AirSpeed", " air_speed "},
-    {"forcetorque", "ForceTorque", " force_torque "},
-    {"navsat", "NavSat", " navsat gps "},
-    {"logical-camera", "LogicalCamera", " logical_camera "},
-};
 
 struct Prefix {
   std::string_view library;
@@ -53,7 +33,7 @@ const Prefix* prefix_in(const model::Root& root) {
 }
 
 /// By its library or its class: a plugin that names one of them only is another rule's fault.
-bool is_loaded(const System& system, const model::Root& root) {
+bool is_loaded(const SensorSystem& system, const model::Root& root) {
   const std::string library = fmt::format("-{}-system", system.library);
   const std::string name = fmt::format("::systems::{}", system.name);
   return std::any_of(root.plugins.begin(), root.plugins.end(), [&](const model::Plugin& plugin) {
@@ -62,11 +42,9 @@ bool is_loaded(const System& system, const model::Root& root) {
   });
 }
 
-const model::Sensor* sensor_for(const System& system, const model::Root& root) {
+const model::Sensor* sensor_for(const SensorSystem& system, const model::Root& root) {
   for (const model::Sensor& sensor : root.sensors) {
-    const std::string& type = sensor.type.value;
-    if (type.empty() || type.find(' ') != std::string::npos) continue;
-    if (system.sensors.find(" " + type + " ") != std::string_view::npos) return &sensor;
+    if (sensor_system(sensor.type.value) == &system) return &sensor;
   }
   return nullptr;
 }
@@ -81,7 +59,7 @@ struct Unserved {
 
 Unserved unserved_by(const Prefix& prefix, const model::Root& root) {
   Unserved unserved;
-  for (const System& system : kSystems) {
+  for (const SensorSystem& system : kSensorSystems) {
     const model::Sensor* sensor = sensor_for(system, root);
     if (sensor == nullptr || is_loaded(system, root)) continue;
     const std::string_view comma = unserved.count == 0 ? "" : ", ";

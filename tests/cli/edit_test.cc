@@ -1,0 +1,98 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor edit` in a repository: which files it changes, and which it leaves.
+
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+
+namespace rigor::test {
+namespace {
+
+constexpr const char* kCarUrdf = R"(<robot name="car">
+  <link name="base"/>
+  <joint name="axle" type="continuous">
+    <parent link="base"/>
+    <child link="wheel"/>
+    <axis xyz="0 1 0"/>
+  </joint>
+  <link name="wheel"/>
+</robot>
+)";
+
+void put_repository(const Folder& folder) {
+  folder.put(".git/HEAD", "ref: refs/heads/main\n");
+  folder.put(".gitignore", "build/\n");
+  folder.put("urdf/car.urdf", kCarUrdf);
+  folder.put("build/car.yaml", "joints: [axle]\n");
+  folder.put("config/car.yaml", "controller:\n  joints: [axle]\n");
+  folder.put("config/car.srdf", "<robot name=\"car\"><passive_joint name=\"axle\"/></robot>\n");
+  folder.put("launch/car.launch.py", "JOINT = 'axle'\n");
+}
+
+TEST(Edit, FilesOfTheRepositoryGoAlong) {
+  const Folder folder;
+  put_repository(folder);
+  const Ran shown = folder.rigor("edit rename axle drive_axle urdf/car.urdf");
+  EXPECT_EQ(shown.exit, 0) << shown.err;
+  EXPECT_NE(shown.out.find("+++ b/config/car.yaml"), std::string::npos) << shown.out;
+  EXPECT_EQ(folder.get("urdf/car.urdf"), kCarUrdf);
+  const Ran ran = folder.rigor("edit prefix my_ urdf/car.urdf --write");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_EQ(folder.get("config/car.yaml"), "controller:\n  joints: [my_axle]\n");
+  EXPECT_NE(folder.get("config/car.srdf").find("\"my_axle\""), std::string::npos);
+  EXPECT_EQ(folder.get("build/car.yaml"), "joints: [axle]\n");
+  EXPECT_EQ(folder.get("launch/car.launch.py"), "JOINT = 'axle'\n");
+  EXPECT_NE(ran.err.find("rigor: config/car.yaml: 1 place\n"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("rigor: launch/car.launch.py:1: may be the name 'axle'; not renamed\n"),
+            std::string::npos)
+      << ran.err;
+}
+
+TEST(Edit, FromAFolderBelow) {
+  const Folder folder;
+  put_repository(folder);
+  const Ran ran = folder.rigor("edit rename axle drive_axle car.urdf --write", "cd urdf &&");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_EQ(folder.get("config/car.yaml"), "controller:\n  joints: [drive_axle]\n");
+  EXPECT_NE(ran.err.find("../config/car.yaml: 1 place"), std::string::npos) << ran.err;
+  EXPECT_NE(folder.get("urdf/car.urdf").find("\"drive_axle\""), std::string::npos);
+}
+
+TEST(Edit, IsolatedChangesOneFile) {
+  const Folder folder;
+  put_repository(folder);
+  for (const char* edit : {"rename axle drive_axle", "prefix my_"}) {
+    const Ran ran = folder.rigor(std::string("edit ") + edit + " urdf/car.urdf --isolated --write");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_EQ(folder.get("config/car.yaml"), "controller:\n  joints: [axle]\n");
+  }
+  const Ran both = folder.rigor("edit prefix b_ urdf/car.urdf config/car.yaml --isolated");
+  EXPECT_EQ(both.exit, 2);
+  EXPECT_NE(both.err.find("--isolated changes urdf/car.urdf alone"), std::string::npos) << both.err;
+}
+
+TEST(Edit, NamesThatARemovalLeaves) {
+  const Folder folder;
+  put_repository(folder);
+  const Ran ran = folder.rigor("edit remove wheel urdf/car.urdf --write");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_EQ(folder.get("config/car.srdf").find("axle"), std::string::npos);
+  EXPECT_NE(ran.err.find("config/car.yaml:2: may be the name 'axle', which is removed"),
+            std::string::npos)
+      << ran.err;
+}
+
+TEST(Edit, AddNamesWhatAWorldNeeds) {
+  const Folder folder;
+  put_repository(folder);
+  const Ran ran = folder.rigor("edit add lidar urdf/car.urdf --to base --write");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.err.find("rigor: the world has to load gz-sim-sensors-system"), std::string::npos);
+  EXPECT_EQ(folder.rigor("edit add lidar urdf/car.urdf --to base --target webots").exit, 2);
+  EXPECT_EQ(folder.rigor("edit add sonar urdf/car.urdf --to base").exit, 2);
+}
+
+}  // namespace
+}  // namespace rigor::test
