@@ -61,7 +61,9 @@ struct SuiteRun {
   }
 
   SuiteOutcome before() const {
-    return {made.blocked() ? Verdict::kInvalid : Verdict::kPass, made.facts, test.why_not};
+    return {.verdict = made.blocked() ? Verdict::kInvalid : Verdict::kPass,
+            .facts = made.facts,
+            .why_not = test.why_not};
   }
 
   test::SuiteModel model;
