@@ -36,6 +36,10 @@ endfunction()
 find_package(ODE QUIET)
 rigor_component(ODE "rigor simulate" libode-dev ODE_FOUND)
 
+# Opened by name, and linked to nothing. MuJoCo's structs differ between versions: rigor is built for one.
+find_path(RIGOR_MUJOCO_INCLUDE mujoco/mujoco.h)
+rigor_component(MUJOCO "rigor simulate --engine mujoco" libmujoco-dev RIGOR_MUJOCO_INCLUDE)
+
 # Opened when an image is traced, and linked to nothing.
 find_path(RIGOR_EMBREE_INCLUDE embree3/rtcore.h)
 rigor_component(EMBREE "rigor render, and images in reports" libembree-dev RIGOR_EMBREE_INCLUDE)

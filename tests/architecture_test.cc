@@ -76,6 +76,7 @@ const std::map<std::string, Names>& third_parties() {
       {"urdf_parser/", {"convert"}},
       {"console_bridge/", {"convert"}},
       {"ode/", {"simulate", "tools"}},
+      {"mujoco/", {"simulate", "tools"}},
       {"embree3/", {"view"}},
       {"png.h", {"view", "mesh"}},
       {"turbojpeg.h", {"view"}},

@@ -209,7 +209,8 @@ TEST_F(Cli, VersionNamesTheEngines) {
   EXPECT_EQ(machine.exit, 0);
   const json document = json::parse(machine.out);
   EXPECT_EQ(document["tool"]["name"], "rigor");
-  for (const char* engine : {"Eigen", "fmt", "meshoptimizer", "ODE", "Qhull", "tinyxml2"}) {
+  for (const char* engine :
+       {"Eigen", "fmt", "meshoptimizer", "MuJoCo", "ODE", "Qhull", "tinyxml2"}) {
     ASSERT_TRUE(document["engines"].contains(engine)) << engine;
     const std::string version = document["engines"][engine];
     EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(version.at(0)))) << version;

@@ -53,7 +53,7 @@ simulate::Plan plan_of(const Rule& rule, const ParsedExample& example) {
   const std::string& bytes = example.files.front().bytes;
   const std::string line = bytes.substr(0, bytes.find('\n'));
   std::smatch named;
-  if (std::regex_match(line, named, std::regex("<!-- rigor simulate --test (.+) -->"))) {
+  if (std::regex_match(line, named, std::regex("<!-- rigor simulate.* --test ([^ ]+) -->"))) {
     std::istringstream tests(named[1]);
     for (std::string test; std::getline(tests, test, ',');) plan.tests.push_back(test);
   }
@@ -69,14 +69,26 @@ simulate::Plan plan_of(const Rule& rule, const ParsedExample& example) {
   return plan;
 }
 
+/// An example whose first line says so is simulated in both engines.
+std::vector<simulate::EngineKind> engines_of(const Rule& rule, const ParsedExample& example) {
+  const ParsedExample bad = parse_example(examples_of(rule).bad.front().text);
+  for (const ParsedExample* each : {&example, &bad}) {
+    if (each->files.front().bytes.starts_with("<!-- rigor simulate --engine both ")) {
+      return {simulate::EngineKind::kOde, simulate::EngineKind::kMujoco};
+    }
+  }
+  return {simulate::EngineKind::kOde};
+}
+
 /// Simulates an example, as `rigor simulate` does. Causes go into the findings that they explain: they
 /// are asked for once more on their own.
 Diagnostics simulated(const Environment& environment, const Rule& rule,
                       const ParsedExample& example, Sources& sources) {
   read::Workspace workspace(environment.disk, sources);
   const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
-  const author::Simulator simulator(environment, sources, workspace,
-                                    {.plan = plan_of(rule, example)});
+  const author::Simulator simulator(
+      environment, sources, workspace,
+      {.plan = plan_of(rule, example), .engines = engines_of(rule, example)});
   const read::Loaded loaded =
       read::load(reader, workspace.open(example_path(example.files.front())));
   const author::PreparedModel model = simulator.prepare(loaded, {});

@@ -8,8 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/simulate/engine/engine.h>
+#include <rigor/simulate/engine/ode/ode_engine.h>
 
+#include "simulate/engines.h"
 #include "simulate/hand_scene.h"
 
 namespace rigor {
@@ -24,6 +25,12 @@ using simulate::Engine;
 using simulate::Forces;
 using simulate::kWorld;
 
+class Motors : public test::Engines {};
+
+INSTANTIATE_TEST_SUITE_P(Each, Motors,
+                         testing::Values(simulate::EngineKind::kOde, simulate::EngineKind::kMujoco),
+                         test::engine_name);
+
 /// Two boxes side by side on a slider.
 Scene sliding_pair() {
   Scene scene = hand::scene();
@@ -35,9 +42,11 @@ Scene sliding_pair() {
 }
 
 // Both turn as one about the first: what one sees of the other stands still.
-TEST(Engine, ASlidersSpeedIsAsSeenFromItsTurningSide) {
+TEST_P(Motors, ASlidersSpeedIsAsSeenFromItsTurningSide) {
+  if (is_mujoco()) GTEST_SKIP() << "in MuJoCo a joint decides how fast what it carries is";
   const Scene scene = sliding_pair();
-  Engine engine(scene, hand::stiff());
+  const auto engine_made = made_engine(scene, hand::stiff());
+  Engine& engine = *engine_made;
   engine.set_velocity(0, {}, {0, 0, 3});
   engine.set_velocity(1, {-3, 0.9, 0}, {0, 0, 3});
   EXPECT_NEAR(engine.state().axes[0].velocity, 0, 1e-12);
@@ -60,10 +69,11 @@ Scene lever() {
 }
 
 // At rest the spring bears the weight: k q = m g l cos q. The stiffer is beyond what an explicit one can be.
-TEST(Engine, AServoSagsAsASpringAndIsStableHoweverStiff) {
+TEST_P(Motors, AServoSagsAsASpringAndIsStableHoweverStiff) {
   const Scene scene = lever();
   for (const double k : {400.0, 4e5}) {
-    Engine engine(scene, exact());
+    const auto engine_made = made_engine(scene, exact());
+    Engine& engine = *engine_made;
     for (int i = 0; i < 3000; ++i) {
       engine.set_servo(
           0, 0, {.stiffness = k, .damping = k / 20, .error = -engine.state().axes[0].position});
@@ -75,9 +85,10 @@ TEST(Engine, AServoSagsAsASpringAndIsStableHoweverStiff) {
   }
 }
 
-TEST(Engine, AServoGivesNoMoreThanItsEffort) {
+TEST_P(Motors, AServoGivesNoMoreThanItsEffort) {
   const Scene scene = lever();
-  Engine engine(scene, exact());
+  const auto engine_made = made_engine(scene, exact());
+  Engine& engine = *engine_made;
   for (int i = 0; i < 100; ++i) {
     engine.set_servo(
         0, 0,
@@ -91,12 +102,14 @@ TEST(Engine, AServoGivesNoMoreThanItsEffort) {
 }
 
 // What a motor puts in is what the two have more, also while they turn.
-TEST(Engine, AMotorsWorkIsTheEnergyThatComesIn) {
+TEST_P(Motors, AMotorsWorkIsTheEnergyThatComesIn) {
+  if (is_mujoco()) GTEST_SKIP() << "in MuJoCo a joint decides how fast what it carries is";
   const Scene scene = sliding_pair();
   simulate::SolverSettings fine = hand::stiff();
   fine.step = 1e-4;
   fine.solver = simulate::Solver::kDantzig;
-  Engine engine(scene, fine);
+  const auto engine_made = made_engine(scene, fine);
+  Engine& engine = *engine_made;
   engine.set_velocity(0, {}, {0, 0, 3});
   engine.set_velocity(1, {-3, 0.9, 0}, {0, 0, 3});
   const auto energy = [&] {
@@ -117,13 +130,14 @@ TEST(Engine, AMotorsWorkIsTheEnergyThatComesIn) {
 }
 
 // A motor of 1 N·m under a weight of 4.9 N·m: the stop takes the fall, and the motor never more than its 1.
-TEST(Engine, WhatAStopDoesIsNotTheMotors) {
+TEST_P(Motors, WhatAStopDoesIsNotTheMotors) {
   Scene scene = hand::scene();
   add_body(scene, hand::ball_mass(1, 0.1), {0.5, 0, 0});
   add_joint(scene, JointType::kRevolute, kWorld, 0, {}, {{0, 1, 0}});
   scene.joints[0].axes[0].upper = 1;
   scene.joints[0].axes[0].effort = 1;
-  Engine engine(scene, hand::stiff());
+  const auto engine_made = made_engine(scene, hand::stiff());
+  Engine& engine = *engine_made;
   double most = 0;
   for (const double told : {0.5, -0.5}) {
     engine.set_motor(0, 0, told, 5);
@@ -137,7 +151,7 @@ TEST(Engine, WhatAStopDoesIsNotTheMotors) {
 }
 
 // Arms are written with half a turn to both sides: leaving such a stop, a strong motor keeps to its speed.
-TEST(Engine, AMotorLeavesAStopAtHalfATurnAsItIsTold) {
+TEST_P(Motors, AMotorLeavesAStopAtHalfATurnAsItIsTold) {
   for (const double upper : {3.14159265359, simulate::kInfinity}) {
     Scene scene = hand::scene();
     scene.gravity = {};
@@ -145,7 +159,8 @@ TEST(Engine, AMotorLeavesAStopAtHalfATurnAsItIsTold) {
     add_joint(scene, JointType::kRevolute, kWorld, 0, {}, {{0, 1, 0}});
     scene.joints[0].axes[0].lower = -3.14159265359;
     scene.joints[0].axes[0].upper = upper;
-    Engine engine(scene, hand::stiff());
+    const auto engine_made = made_engine(scene, hand::stiff());
+    Engine& engine = *engine_made;
     engine.set_motor(0, 0, -1, 50);
     for (int i = 0; i < 3500; ++i) engine.step(Forces::kAsked);
     EXPECT_NEAR(engine.state().axes[0].position, -3.14159265359, 1e-3) << upper;

@@ -13,10 +13,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <rigor/simulate/advice/advice.h>
+#include <rigor/simulate/engine/mujoco/mujoco_engine.h>
 #include <rigor/simulate/simulate.h>
 #include <rigor/simulate/test/tests.h>
 #include <rigor/simulate/wheels.h>
@@ -40,7 +44,8 @@ constexpr std::size_t kSuiteStride = 1;
 constexpr std::size_t kConfirmStride = 2;
 
 struct SuiteOutcome {
-  Verdict verdict = Verdict::kPass;
+  Verdict verdict = Verdict::kPass;  ///< in ODE
+  std::optional<simulate::EngineComparison> comparison;
   simulate::Facts facts;
   std::string why_not;  ///< the test could not be made for the model
 };
@@ -56,7 +61,9 @@ struct SuiteRun {
   }
 
   SuiteOutcome before() const {
-    return {made.blocked() ? Verdict::kInvalid : Verdict::kPass, made.facts, test.why_not};
+    return {.verdict = made.blocked() ? Verdict::kInvalid : Verdict::kPass,
+            .facts = made.facts,
+            .why_not = test.why_not};
   }
 
   test::SuiteModel model;
@@ -65,6 +72,13 @@ struct SuiteRun {
   simulate::Facts causes;
   simulate::MadeTest test;
 };
+
+/// Both, where MuJoCo is installed: each row is run in each, and judged in ODE.
+std::vector<simulate::EngineKind> suite_engines() {
+  std::vector<simulate::EngineKind> engines{simulate::EngineKind::kOde};
+  if (simulate::mujoco_problem({}).empty()) engines.push_back(simulate::EngineKind::kMujoco);
+  return engines;
+}
 
 struct SuiteRow {
   SuiteCase row;
@@ -80,8 +94,12 @@ struct SuiteBatch {
     const auto done = simulate::simulate(tasks, {.confirm = confirm, .jobs = 2}, test::workers());
     for (std::size_t i = 0; i < done.size(); ++i) {
       SuiteOutcome& outcome = rows[row_of[i]].outcome;
-      outcome.verdict = done[i].verdict;
+      for (const simulate::EngineComparison& each : done[i].comparisons) {
+        outcome.comparison = each;
+      }
       for (const simulate::Run& run : done[i].runs) {
+        if (run.engine != simulate::EngineKind::kOde) continue;
+        outcome.verdict = simulate::worse(outcome.verdict, run.verdict);
         outcome.facts.insert(outcome.facts.end(), run.facts.begin(), run.facts.end());
       }
     }
@@ -100,7 +118,8 @@ std::vector<SuiteRow> simulated_rows(const std::function<bool(const SuiteCase&)>
     if (run.test.scenario) {
       SuiteBatch& batch = rows.size() % kConfirmStride == 0 ? confirmed : unconfirmed;
       const simulate::Scene& scene = run.made.scene;
-      batch.tasks.push_back({scene, run.causes, {*run.test.scenario}, run.wheels, scene.solver});
+      batch.tasks.push_back(
+          {scene, run.causes, {*run.test.scenario}, run.wheels, scene.solver, suite_engines()});
       batch.row_of.push_back(rows.size());
     }
     rows.push_back({row, run.before()});
@@ -146,8 +165,41 @@ std::string suite_line(const SuiteCase& row, const SuiteOutcome& outcome) {
   return line;
 }
 
+/// Whether two engines say the same of a row: it fails, or it does not.
+bool fails_in(Verdict verdict) { return verdict == Verdict::kFail || verdict == Verdict::kInvalid; }
+
+/// Holds the share of rows that fail in both engines, or in neither, against a least one.
+void expect_agreement(const std::vector<SuiteRow>& rows, double least) {
+  std::size_t same = 0;
+  std::size_t all = 0;
+  std::string others;
+  for (const auto& [row, outcome] : rows) {
+    const auto& pair = outcome.comparison;
+    // Refused before any engine, or compared.
+    const bool agrees =
+        pair ? fails_in(pair->ode) == fails_in(pair->mujoco) : outcome.verdict == Verdict::kInvalid;
+    ++all;
+    same += agrees ? 1U : 0U;
+    if (!pair || (agrees && pair->differences.empty())) continue;
+    others += row.file + " " + row.test + ": " + std::string(simulate::to_string(pair->ode)) +
+              " in ODE, " + std::string(simulate::to_string(pair->mujoco)) + " in MuJoCo (" +
+              row.what + ")\n";
+    for (const std::string& words : pair->differences) others += "    " + words + "\n";
+    others += "    explained by " + pair->explanation + "\n";
+    EXPECT_NE(pair->explanation, "") << row.file;
+  }
+  testing::Test::RecordProperty("same", static_cast<int>(same));
+  testing::Test::RecordProperty("rows", static_cast<int>(all));
+  if (std::getenv("RIGOR_ENGINES_VERBOSE") != nullptr)
+    std::printf("%zu of %zu\n%s", same, all, others.c_str());
+  if (kSuiteStride > 1) return;  // too few to count
+  EXPECT_GE(static_cast<double>(same), least * static_cast<double>(all)) << others;
+}
+
 TEST(FaultSuite, NoSaneModelFailsAndNoneIsCalledTheSolvers) {
-  for (const auto& [row, outcome] : simulated_rows(&SuiteCase::sane)) {
+  const auto rows = simulated_rows(&SuiteCase::sane);
+  if (suite_engines().size() > 1) expect_agreement(rows, 0.95);
+  for (const auto& [row, outcome] : rows) {
     EXPECT_TRUE(outcome.verdict == Verdict::kPass || outcome.verdict == Verdict::kWarn)
         << suite_line(row, outcome);
     EXPECT_EQ(outcome.why_not, "") << row.file;
@@ -161,6 +213,7 @@ TEST(FaultSuite, MostPlantedFaultsFailAndNearlyAllAreNamed) {
   std::size_t named = 0;
   std::string missed;
   const auto rows = simulated_rows([](const SuiteCase& row) { return !row.sane(); });
+  if (suite_engines().size() > 1) expect_agreement(rows, 0.85);
   for (const auto& [row, outcome] : rows) {
     const bool invalid = outcome.verdict == Verdict::kInvalid;
     EXPECT_NE(outcome.verdict, Verdict::kSolver) << suite_line(row, outcome);

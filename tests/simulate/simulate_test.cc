@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/simulate/confirm.h>
+#include <rigor/simulate/engine_comparison.h>
 #include <rigor/simulate/metric/assertion.h>
 #include <rigor/simulate/metric/parts.h>
 #include <rigor/simulate/test/tests.h>
@@ -201,6 +202,84 @@ TEST(Simulate, VariantsDifferInOneThingEach) {
   EXPECT_EQ(variants[2].settings.seed, 8U);
   EXPECT_EQ(variants[3].settings.seed, 9U);
   EXPECT_EQ(variants[3].settings.step, 0.002);
+}
+
+/// MuJoCo's solvers all solve the same: only a finer step is another opinion.
+TEST(Simulate, MujocoIsHeldAgainstFinerSteps) {
+  SolverSettings settings{.step = 0.002};
+  settings.engine = EngineKind::kMujoco;
+  const std::vector<Variant> variants = variants_of(settings);
+  ASSERT_EQ(variants.size(), kMujocoVariants);
+  EXPECT_EQ(variants[0].settings.step, 0.001);
+  EXPECT_EQ(variants[1].settings.step, 0.0005);
+  EXPECT_EQ(variants[1].settings.engine, EngineKind::kMujoco);
+  simulate::Run run = failed_run();
+  run.engine = EngineKind::kMujoco;
+  const std::vector<Again> half{again_that_shows(false)};
+  EXPECT_EQ(next_of(half, run), Next::kVariant);
+  const std::vector<Again> both{again_that_shows(false), again_that_shows(false)};
+  EXPECT_EQ(next_of(both, run), Next::kNone);
+  confirm(both, run);
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kSolver);
+}
+
+/// Two runs of a test that ended, which differ in one metric.
+Simulation in_two_engines(double ode_sinks, double mujoco_sinks) {
+  Simulation simulation;
+  for (const EngineKind engine : {EngineKind::kOde, EngineKind::kMujoco}) {
+    simulate::Run run{.test = "settle", .engine = engine};
+    run.metrics = {
+        make_metric("ground.sink", engine == EngineKind::kOde ? ode_sinks : mujoco_sinks, {})};
+    run.verdict = run.metrics[0].verdict;
+    simulation.runs.push_back(std::move(run));
+  }
+  return simulation;
+}
+
+TEST(Simulate, EnginesDifferWhereAMetricFailsInOneOnly) {
+  Scene scene = hand::scene();
+  hand::add_body(scene, hand::box_mass(1, {0.2, 0.2, 0.2}), {});
+  Simulation same = in_two_engines(0.0001, 0.002);  // passes, warns
+  compare_engines(scene, same);
+  ASSERT_EQ(same.comparisons.size(), 1U);
+  EXPECT_TRUE(same.comparisons[0].differences.empty());
+  EXPECT_TRUE(same.runs[1].facts.empty());
+  Simulation other = in_two_engines(0.0001, 1);
+  compare_engines(scene, other);
+  ASSERT_EQ(other.comparisons.size(), 1U);
+  EXPECT_EQ(other.comparisons[0].ode, Verdict::kPass);
+  EXPECT_EQ(other.comparisons[0].mujoco, Verdict::kFail);
+  ASSERT_EQ(other.runs[1].facts.size(), 1U);
+  EXPECT_EQ(other.runs[1].facts[0].kind, FactKind::kEnginesDiffer);
+  EXPECT_EQ(other.runs[1].facts[0].name,
+            "ground.sink fails in MuJoCo only: 0.0001 m in ODE, 1 m in MuJoCo");
+}
+
+TEST(Simulate, ADifferenceOfEnginesIsExplainedByWhatTheSceneHas) {
+  Scene scene = hand::scene();
+  hand::add_body(scene, hand::box_mass(1, {0.2, 0.2, 0.2}), {});
+  EngineComparison comparison{.test = "settle", .differences = {"ground.sink fails in ODE only"}};
+  const auto begins = [&](const char* words) {
+    return explanation_of(scene, comparison).find(words) == 0;
+  };
+  EXPECT_TRUE(begins("contact softness"));
+  hand::add_body(scene, hand::box_mass(2000, {0.2, 0.2, 0.2}), {});
+  EXPECT_TRUE(begins("mass ratios"));
+  hand::add_shape(scene, 0, mesh::Sphere{0.1}).surface.restitution = 0.5;
+  EXPECT_TRUE(begins("restitution"));
+  hand::add_shape(scene, 0, TriangleSoup{0});
+  EXPECT_TRUE(begins("a hulled mesh"));
+}
+
+TEST(Simulate, AnEngineThatIsNotThereIsSaid) {
+  SolverSettings settings;
+  EXPECT_EQ(engine_problem(settings, test::workers()), "");
+  settings.engine = EngineKind::kMujoco;
+  settings.library = "/no/libmujoco.so";
+  EXPECT_NE(engine_problem(settings, test::workers()).find("apt install libmujoco"),
+            std::string::npos);
+  settings.library = RIGOR_TESTDATA "simulate/README.md";  // no library at all
+  EXPECT_NE(engine_problem(settings, test::workers()), "");
 }
 
 TEST(Simulate, VerdictsHaveAnOrder) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `tools/dev bench simulate`: steps per second of `simulate::run`, with all that is measured and recorded,
-// as a ratio to a loop written by hand that only steps ODE, with the same scene and settings.
+// as a ratio to a loop written by hand that only steps ODE, with the same scene and settings; and the same of
+// MuJoCo, whose loop by hand is `mj_step` alone on the model that rigor compiles.
 //
 //   rigor_simulate_bench
 
@@ -14,9 +15,13 @@
 #include <string>
 #include <vector>
 
+#include <dlfcn.h>
 #include <fmt/core.h>
 #include <ode/ode.h>
 
+#include <rigor/simulate/engine/mujoco/model_text.h>
+#include <rigor/simulate/engine/mujoco/mujoco_engine.h>
+#include <rigor/simulate/engine/mujoco/session.h>
 #include <rigor/simulate/run.h>
 
 #include "measure.h"
@@ -183,6 +188,19 @@ double drop_by_hand(const std::vector<Part>& boxes, const SolverSettings& settin
   return z;
 }
 
+// MuJoCo by hand: the same model, and no commands.
+
+double step_mujoco_by_hand(const Scene& scene, const SolverSettings& settings, int steps) {
+  const rigor::simulate::MujocoSession session(mujoco_model_text(scene, settings).xml, {});
+  void* handle = ::dlopen("libmujoco.so.2.2.2", RTLD_NOW);
+  const auto mj_step_function =
+      handle == nullptr ? nullptr
+                        : reinterpret_cast<decltype(&mj_step)>(::dlsym(handle, "mj_step"));
+  if (mj_step_function == nullptr) return 0;
+  for (int i = 0; i < steps; ++i) mj_step_function(session.model(), session.data());
+  return session.data()->xpos[3 * (session.model()->nbody - 1)];
+}
+
 // The same for us.
 
 void add_part(Scene& scene, const Part& part, std::uint32_t model) {
@@ -250,6 +268,10 @@ Scenario drive_for(double seconds) {
   return scenario;
 }
 
+Scenario rest_for(double seconds) {
+  return {.name = "rest", .duration = seconds, .phases = {{"rest", 0, seconds}}};
+}
+
 /// Of the processor, so that what else the machine does counts for neither side.
 double seconds_of(const std::function<void()>& work) {
   const std::clock_t begin = std::clock();
@@ -300,4 +322,15 @@ int main() {
       "100 boxes, 50 iterations", drop_steps,
       [&] { return drop_by_hand(boxes, settings, drop_steps); },
       [&] { return run(pile, fall, settings).final.bodies.back().p_WBcm.z; });
+  const std::string problem = rigor::simulate::mujoco_problem({});
+  if (!problem.empty()) {
+    fmt::print("{}\n", problem);
+    return 0;
+  }
+  settings.engine = rigor::simulate::EngineKind::kMujoco;
+  const int rest_steps = 20'000;
+  const Scenario rest = rest_for(rest_steps * settings.step);
+  compare(
+      "robot, MuJoCo", rest_steps, [&] { return step_mujoco_by_hand(robot, settings, rest_steps); },
+      [&] { return run(robot, rest, settings).final.bodies[2].p_WBcm.x; });
 }

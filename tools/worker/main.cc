@@ -17,6 +17,7 @@ int main() {
       rigor::mesh::importer_name_service(),
       rigor::convert::urdfdom_service(),
       rigor::simulate::run_service(),
+      rigor::simulate::engine_service(),
   });
   if (code != 0)
     std::fputs("rigor-worker is started by rigor, which tells it what to do\n", stderr);

@@ -151,6 +151,7 @@ PreparedModel Simulator::prepare(const read::Loaded& loaded,
   if (solver.solver) scene.solver.solver = *solver.solver;
   if (solver.iterations) scene.solver.iterations = *solver.iterations;
   if (solver.gravity) scene.gravity = *solver.gravity;
+  scene.solver.library = options_.mujoco;
   if (model.made.blocked() || scene.bodies.empty()) return model;
   model.wheels = simulate::find_wheels(scene, options_.plan.wheels);
   if (positions.empty()) take_stand_pose(loaded, model);
@@ -250,7 +251,7 @@ void Simulator::run(const std::vector<SimulationCase>& cases,
     if (!model.note.empty()) result.notes.insert(result.notes.begin(), model.note);
     result.problems = std::move(planned.problems);
     tasks.push_back({result.scene, model.causes, std::move(planned.scenarios), model.wheels,
-                     result.scene.solver});
+                     result.scene.solver, options_.engines});
   }
   simulate::simulate(tasks, {options_.confirm, options_.jobs, options_.budget, options_.progress},
                      environment_.workers, [&](std::size_t i, simulate::Simulation simulation) {

@@ -42,6 +42,8 @@ struct SimulationOptions {
   simulate::SceneOptions scene;
   simulate::Plan plan;
   SolverChoice solver;
+  std::vector<simulate::EngineKind> engines{simulate::EngineKind::kOde};
+  std::string mujoco;  ///< the path of MuJoCo's library; empty for the installed one
   simulate::Confirm confirm = simulate::Confirm::kFailures;
   unsigned jobs = 1;
   double budget = simulate::kInfinity;  ///< s of CPU time, a model and case

@@ -9,7 +9,8 @@
 
 #include <rigor/mesh/engines.h>
 #include <rigor/results/writer.h>
-#include <rigor/simulate/engine/ode_version.h>
+#include <rigor/simulate/engine/mujoco/mujoco_version.h>
+#include <rigor/simulate/engine/ode/ode_version.h>
 #include <rigor/xml/engine.h>
 
 namespace rigor::report {
@@ -23,6 +24,9 @@ std::vector<Engine> engines() {
       {"fmt",
        fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"meshoptimizer", mesh::meshoptimizer_version()},
+      {"MuJoCo", simulate::mujoco_version().empty()
+                     ? "(built without)"
+                     : simulate::mujoco_version() + " (opened where it is installed)"},
       {"ODE", simulate::ode_version().empty() ? "(built without)" : simulate::ode_version()},
       {"Qhull", mesh::qhull_version()},
       {"SQLite", results::sqlite_version().empty() ? "(built without)" : results::sqlite_version()},

@@ -75,6 +75,13 @@ void blame_solver(Metric& metric) {
 
 std::vector<Variant> variants_of(const SolverSettings& settings) {
   using Other = Variant::Other;
+  if (settings.engine == EngineKind::kMujoco) {
+    std::vector<Variant> finer{{Other::kStep, "half the step", settings},
+                               {Other::kQuarter, "a quarter of the step", settings}};
+    finer[0].settings.step /= 2;
+    finer[1].settings.step /= 4;
+    return finer;
+  }
   const bool quick = settings.solver == Solver::kQuick;
   Variant solver{Other::kSolver, quick ? "dantzig" : "quick", settings};
   solver.settings.solver = quick ? Solver::kDantzig : Solver::kQuick;
@@ -97,7 +104,8 @@ bool was_stopped(const Record& record) {
 }
 
 Next next_of(const std::vector<Again>& agains, const Run& run) {
-  if (agains.size() >= kVariants) return Next::kNone;
+  const std::size_t most = run.engine == EngineKind::kMujoco ? kMujocoVariants : kVariants;
+  if (agains.size() >= most) return Next::kNone;
   const bool any_open =
       (was_stopped(run.record) && votes_for_stop(agains, run).open()) ||
       std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {

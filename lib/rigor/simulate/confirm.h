@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Whether a failure is the model's or the solver's: the same run again with the other solver, and where that
-// lacks it with half the step. What two of these three show is believed: seeds share the run's solver and
+// lacks it with half the step; in MuJoCo, whose solvers all solve the same, with a half and a quarter of it. What two of these three show is believed: seeds share the run's solver and
 // its step, so they are asked only where one of the others has nothing to say. For sources of this room.
 //
 //   const std::vector<Variant> variants = variants_of(settings);
@@ -21,15 +21,16 @@
 namespace rigor::simulate {
 
 struct Variant {
-  enum class Other : std::uint8_t { kSolver, kStep, kSeed };
+  enum class Other : std::uint8_t { kSolver, kStep, kQuarter, kSeed };
   Other other = Other::kSolver;
   std::string what;  ///< "dantzig", "half the step", "seed 1"
   SolverSettings settings;
 };
 
 /// The other solver and half the step (the exact solver's first, where the run had it), then two other seeds of
-/// the iterative one.
+/// the iterative one. In MuJoCo half the step, then a quarter.
 inline constexpr std::size_t kVariants = 4;
+inline constexpr std::size_t kMujocoVariants = 2;
 std::vector<Variant> variants_of(const SolverSettings& settings);
 
 /// A run again, in other circumstances.

@@ -78,7 +78,8 @@ enum class FactKind : std::uint8_t {
   kStepSensitive,
   kSeedSensitive,
   kSolverDiffers,
-  kAssertion,  ///< of a scenario; `name` is the assertion's
+  kEnginesDiffer,  ///< `name` says in what; `help`, what explains it
+  kAssertion,      ///< of a scenario; `name` is the assertion's
   // Why, found in the model (simulate/advice/advice.h). They go along with what a run shows.
   kCauseInertia,         ///< `value`: times the moment of the link's shapes; `name`: which moment
   kCauseDefaultInertia,  ///< nothing is written: 1 kg and the identity; `value` and `name` as above

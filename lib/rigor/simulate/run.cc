@@ -14,6 +14,8 @@
 
 #include <rigor/simulate/commander.h>
 #include <rigor/simulate/engine/engine.h>
+#include <rigor/simulate/engine/mujoco/mujoco_engine.h>
+#include <rigor/simulate/engine/ode/ode_version.h>
 #include <rigor/simulate/run_request.h>
 #include <rigor/text/digest.h>
 
@@ -21,6 +23,7 @@ namespace rigor::simulate {
 namespace {
 
 constexpr std::string_view kRunKind = "simulate.run";
+constexpr std::string_view kEngineKind = "simulate.engine";
 
 /// m: a scene smaller than this is given this size when it is asked whether something is far away.
 constexpr double kNearbySize = 0.1;
@@ -156,10 +159,15 @@ process::Reply run_requested(const std::string& bytes, const process::Ask& /*ask
   const std::clock_t begin = std::clock();
   const Record record = run(request->scene, request->scenario, request->settings);
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  // ODE does not come back from an error within a step.
+  // An engine does not come back from an error within a step.
   const bool refused = record.end == Record::End::kRefused;
   return {encode(record) + encode_seconds(seconds),
           refused ? process::Reply::Then::kRetire : process::Reply::Then::kServeAgain};
+}
+
+/// In the worker, too: a library that is opened may do anything.
+process::Reply mujoco_requested(const std::string& library, const process::Ask& /*ask*/) {
+  return {mujoco_problem(library), process::Reply::Then::kRetire};
 }
 
 }  // namespace
@@ -183,7 +191,7 @@ Record run(const Scene& scene, const Scenario& scenario, const SolverSettings& s
   Recorder recorder(scene, scenario, settings, steps);
   std::unique_ptr<Engine> made;
   try {
-    made = std::make_unique<Engine>(scene, settings);
+    made = make_engine(scene, settings);
     Engine& engine = *made;
     Commander commander(scene, scenario, settings);
     engine.touch();
@@ -210,6 +218,17 @@ process::Request run_request(const Scene& scene, const Scenario& scenario,
 }
 
 process::Service run_service() { return {kRunKind, run_requested}; }
+process::Service engine_service() { return {kEngineKind, mujoco_requested}; }
+
+std::string engine_problem(const SolverSettings& settings, const process::Workers& workers) {
+  if (settings.engine == EngineKind::kOde) {
+    return ode_version().empty() ? "rigor was built without ODE" : std::string();
+  }
+  const process::RequestResult result =
+      workers.call({.kind = kEngineKind, .bytes = settings.library, .limits = kRunLimits});
+  if (result.end == process::RequestResult::End::kDone) return result.bytes;
+  return "MuJoCo's library cannot be opened: " + describe(result, kRunLimits);
+}
 
 Record record_of(const process::RequestResult& result) {
   using End = process::RequestResult::End;

@@ -1,9 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs a scenario in ODE and records it.
+// Runs a scenario in an engine and records it.
 //
-// `run` works in the calling process: ODE has globals, and aborts on what it does not like. So only a
+// `run` works in the calling process: engines have globals, and abort on what they do not like. So only a
 // worker process calls it (for `run_isolated`, or `run_request` for many at once), which ends by itself after
 // its steps, and by the request's limits in the worst case. For the same scene, scenario and settings the
 // record is the same to the last bit.
@@ -81,8 +81,12 @@ Record record_of(const process::RequestResult& result);
 /// s of CPU time that it took; `most` where it was ended for it.
 double cpu_seconds_of(const process::RequestResult& result, double most);
 
+/// Why the engine of these settings cannot be used; empty when it can. Asked in a worker.
+std::string engine_problem(const SolverSettings& settings, const process::Workers& workers);
+
 /// What a worker has to serve for these.
 process::Service run_service();
+process::Service engine_service();
 
 /// A record as the bytes that a worker hands over, and back. Nothing when they are damaged.
 std::string encode(const Record& record);

@@ -51,9 +51,9 @@ struct RunRequestFields {
       archive(name, metric, quantity, at, least, most);
     } else if constexpr (std::is_same_v<Kind, SolverSettings>) {
       auto& [step, solver, iterations, sor, erp, cfm, max_correcting_velocity, surface_layer,
-             max_contacts, stiffness, seed] = whole;
+             max_contacts, stiffness, seed, engine, library] = whole;
       archive(step, solver, iterations, sor, erp, cfm, max_correcting_velocity, surface_layer,
-              max_contacts, stiffness, seed);
+              max_contacts, stiffness, seed, engine, library);
     } else {
       static_assert(std::is_same_v<Kind, Scenario>);
       auto& [name, duration, phases, commands, pushes, tilts, assertions, spawn, drop, base,

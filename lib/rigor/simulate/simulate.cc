@@ -13,6 +13,7 @@
 
 #include <rigor/simulate/advice/advice.h>
 #include <rigor/simulate/confirm.h>
+#include <rigor/simulate/engine_comparison.h>
 #include <rigor/simulate/metric/assertion.h>
 #include <rigor/simulate/metric/parts.h>
 #include <rigor/simulate/mount.h>
@@ -45,7 +46,10 @@ std::vector<Metric> metrics_in(const Task& task, const Scenario& scenario, const
 }
 
 Run judged_run(const RunOrder& order, Record record) {
-  Run run{.test = order.scenario->name, .seed = order.settings.seed, .scenario = *order.scenario};
+  Run run{.test = order.scenario->name,
+          .seed = order.settings.seed,
+          .engine = order.settings.engine,
+          .scenario = *order.scenario};
   run.metrics = metrics_in(*order.task, *order.scenario, record);
   run.record = std::move(record);
   if (was_stopped(run.record)) run.verdict = Verdict::kInvalid;
@@ -77,6 +81,7 @@ void add_comparisons(const Scene& scene, const std::vector<Again>& agains, Run& 
       case Variant::Other::kSolver:
         add_comparison(scene, "solver.agreement", again.record, run);
         break;
+      case Variant::Other::kQuarter: break;
       case Variant::Other::kSeed:
         spread = std::max(spread.value_or(0), difference_of(scene, run.record, again.record));
         break;
@@ -121,6 +126,8 @@ void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
     run.verdict = worse(run.verdict, Verdict::kFail);
     run.facts.push_back(std::move(broken));
   }
+  if (run.engine == EngineKind::kOde) return;
+  for (Fact& fact : run.facts) fact.test = run.test + " (MuJoCo)";
 }
 
 /// A model of another size than its masses: whatever the runs show, and however solvers differ on it, it is not the robot
@@ -173,19 +180,17 @@ class Runs {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       const Task& task = tasks_[i];
       first_.push_back(runs_.size());
-      left_.push_back(task.scenarios.size());
+      left_.push_back(task.scenarios.size() * task.engines.size());
       spent_.push_back(0);
       const std::string too_large = why_too_large(task.scene);
       for (const Scenario& scenario : task.scenarios) {
-        if (too_large.empty()) waiting_.push_back({runs_.size(), std::nullopt});
-        runs_.push_back({{&task, &scenario, settings_in(scenario, task.solver)},
-                         i,
-                         {},
-                         {},
-                         {},
-                         too_large,
-                         false});
-        if (!too_large.empty()) --left_[i];
+        for (const EngineKind engine : task.engines) {
+          if (too_large.empty()) waiting_.push_back({runs_.size(), std::nullopt});
+          RunOrder order{&task, &scenario, settings_in(scenario, task.solver)};
+          order.settings.engine = engine;
+          runs_.push_back({std::move(order), i, {}, {}, {}, too_large, false});
+          if (!too_large.empty()) --left_[i];
+        }
       }
     }
     total_ = waiting_.size();
@@ -305,7 +310,8 @@ class Runs {
 
   void hand_over(std::size_t task) {
     Simulation simulation;
-    for (std::size_t i = 0; i < tasks_[task].scenarios.size(); ++i) {
+    const std::size_t count = tasks_[task].scenarios.size() * tasks_[task].engines.size();
+    for (std::size_t i = 0; i < count; ++i) {
       TaskRun& one = runs_[first_[task] + i];
       const std::string& test = one.order.scenario->name;
       if (!one.left_out.empty()) {
@@ -318,6 +324,7 @@ class Runs {
       }
       simulation.runs.push_back(std::move(one.run));
     }
+    if (tasks_[task].engines.size() > 1) compare_engines(tasks_[task].scene, simulation);
     add_unexplained(tasks_[task].causes, simulation);
     for (const Run& run : simulation.runs) {
       simulation.verdict = worse(simulation.verdict, run.verdict);

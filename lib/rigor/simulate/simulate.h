@@ -37,6 +37,8 @@ struct Task {
   std::vector<Scenario> scenarios;
   const DriveTrain& wheels;
   SolverSettings solver;  ///< usually the scene's; its seed is the run's
+  /// Each scenario is run in each of them; where there are two their runs are held against each other.
+  std::vector<EngineKind> engines{EngineKind::kOde};
 };
 
 struct SimulateOptions {
@@ -61,6 +63,7 @@ struct Confirmation {
 struct Run {
   std::string test;
   std::uint64_t seed = 0;
+  EngineKind engine = EngineKind::kOde;
   Verdict verdict = Verdict::kPass;
   Scenario scenario;
   std::vector<Metric> metrics;
@@ -69,10 +72,32 @@ struct Run {
   Record record;
 };
 
+/// A metric in two engines.
+struct MetricPair {
+  std::string_view id;
+  std::string_view unit;
+  double ode = 0;
+  double mujoco = 0;
+  Verdict ode_verdict = Verdict::kPass;
+  Verdict mujoco_verdict = Verdict::kPass;
+};
+
+/// A test in ODE and in MuJoCo (engine_comparison.h).
+struct EngineComparison {
+  std::string test;
+  Verdict ode = Verdict::kPass;
+  Verdict mujoco = Verdict::kPass;
+  double apart = 0;  ///< of where models end, a share of their size or way; infinite without an end
+  std::vector<MetricPair> metrics;       ///< those of both
+  std::vector<std::string> differences;  ///< beyond the band, in words
+  std::string explanation;               ///< which property of the scene explains them
+};
+
 struct Simulation {
   Verdict verdict = Verdict::kPass;  ///< the worst of the runs': invalid, fail, solver, warn, pass
   std::vector<Run> runs;
-  std::vector<std::string> left_out;  ///< what the budget did not suffice for
+  std::vector<EngineComparison> comparisons;  ///< where there are two engines
+  std::vector<std::string> left_out;          ///< what the budget did not suffice for
 };
 
 /// In the order of the tasks; the same for any number of jobs.

@@ -19,7 +19,7 @@
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/report/validation.h>
-#include <rigor/simulate/engine/ode_version.h>
+#include <rigor/simulate/engine/ode/ode_version.h>
 #include <rigor/simulate/test/tests.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>

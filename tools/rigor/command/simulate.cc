@@ -15,7 +15,9 @@
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/rules/environment.h>
-#include <rigor/simulate/engine/ode_version.h>
+#include <rigor/simulate/engine/mujoco/mujoco_version.h>
+#include <rigor/simulate/engine/ode/ode_version.h>
+#include <rigor/simulate/run.h>
 #include <rigor/view/image/picture.h>
 #include <rigor/view/trace.h>
 
@@ -50,6 +52,7 @@ class Simulate final : public Command {
         {"rigor simulate my_robot",
          "rigor simulate my_robot --test settle,drive,turn --output html:run.html",
          "rigor simulate arm.urdf --command elbow=position:1.5 --duration 3 --format csv",
+         "rigor simulate my_robot --engine both",
          "rigor simulate robot.sdf --test drive --grid friction=0.2:1:9 --seeds 3 -j 4 --output "
          "jsonl:runs.jsonl"});
     app->add_option("paths", paths_, "Model files, or folders that hold models")
@@ -65,7 +68,6 @@ class Simulate final : public Command {
   }
 
   int run() override {
-    if (simulate::ode_version().empty()) refuse_without("ODE", "simulate");
     const std::vector<Target> targets = output_.targets();
     const GuardedDisk disk = search_.disk(named_paths());
     Environment environment(disk, search_.paths());
@@ -73,6 +75,7 @@ class Simulate final : public Command {
     author::SimulationOptions options = choices_.options(disk);
     options.selection = selection_.selection();
     require_known(options.selection, environment.registry);
+    require_engines(options, environment);
     CountProgress progress("runs");
     options.progress = [&progress](std::size_t done, std::size_t of) { progress.at(done, of); };
     const std::vector<simulate::Case> grid = choices_.cases(options.plan);
@@ -103,6 +106,22 @@ class Simulate final : public Command {
   }
 
  private:
+  static void require_engines(const author::SimulationOptions& options,
+                              const Environment& environment) {
+    for (const simulate::EngineKind engine : options.engines) {
+      const bool ode = engine == simulate::EngineKind::kOde;
+      if (ode && simulate::ode_version().empty()) refuse_without("ODE", "simulate");
+      if (!ode && simulate::mujoco_version().empty()) {
+        refuse_without("MuJoCo", "simulate --engine mujoco");
+      }
+      simulate::SolverSettings settings;
+      settings.engine = engine;
+      settings.library = options.mujoco;
+      const std::string problem = simulate::engine_problem(settings, environment.workers);
+      if (!problem.empty()) throw UsageError(problem);
+    }
+  }
+
   std::vector<std::string> named_paths() const {
     std::vector<std::string> named = paths_;
     named.insert(named.end(), choices_.scenarios().begin(), choices_.scenarios().end());

@@ -19,6 +19,7 @@ namespace rigor::tool {
 namespace {
 
 constexpr std::string_view kSolverNames[] = {"quick", "dantzig"};
+constexpr std::string_view kEngineNames[] = {"ode", "mujoco", "both"};
 constexpr std::string_view kProfileNames[] = {"rigor", "gazebo"};
 constexpr std::string_view kMeshesNames[] = {"auto", "triangles", "hull"};
 constexpr std::string_view kBaseNames[] = {"auto", "fixed", "free", "hang"};
@@ -139,6 +140,14 @@ void SimulationChoices::declare(CLI::App& app) {
   app.add_option("--model", model_, "Model to simulate, if the file has several")
       ->type_name("NAME");
   const std::string solver = "How it is computed";
+  offer(app.add_option("--engine", engine_,
+                       "Physics engine: ode (the default), mujoco, or both side by side"),
+        kEngineNames)
+      ->type_name("NAME")
+      ->group(solver);
+  app.add_option("--mujoco", mujoco_, "MuJoCo's library, if not the installed one")
+      ->type_name("PATH")
+      ->group(solver);
   app.add_option("--time-step", time_step_, "s (the world's, else 0.001)")
       ->type_name("S")
       ->group(solver);
@@ -256,6 +265,12 @@ author::SimulationOptions SimulationChoices::options(const Disk& disk) const {
     if (numbers.size() != 3) throw UsageError("--gravity takes three numbers, m/s²");
     options.solver.gravity = model::Vector3{numbers[0], numbers[1], numbers[2]};
   }
+  if (!engine_.empty()) {
+    using enum simulate::EngineKind;
+    const std::vector<simulate::EngineKind> kEngines[] = {{kOde}, {kMujoco}, {kOde, kMujoco}};
+    options.engines = kEngines[choice("--engine value", engine_, kEngineNames)];
+  }
+  options.mujoco = mujoco_;
   if (no_confirm_) options.confirm = simulate::Confirm::kNo;
   const double budget = budget_.empty() ? kBudget : finite_number("--budget", budget_);
   if (budget < 0) throw UsageError("--budget " + budget_ + ": must not be negative");

@@ -45,7 +45,7 @@ class SimulationChoices {
 
   std::vector<std::string> tests_, scenarios_, commands_, wheels_, joints_, gravity_, grid_;
   std::string duration_, ramp_, time_step_, solver_, iterations_, seed_, seeds_, profile_, meshes_;
-  std::string model_, jobs_, base_, budget_;
+  std::string model_, jobs_, base_, budget_, engine_, mujoco_;
   ShardOption shard_;
   bool no_confirm_ = false;
 };

@@ -62,6 +62,8 @@ std::optional<KeptResult> kept_in(const std::string& line) {
   const auto severities = texts_in(json, "diagnostics", "severity");
   if (!one || !model || !tests || !severities) return std::nullopt;
   KeptResult kept{*one, *model, *tests, std::nullopt};
+  // With two engines each test is run twice, one after the other.
+  kept.tests.erase(std::unique(kept.tests.begin(), kept.tests.end()), kept.tests.end());
   for (const Severity severity : {Severity::kInfo, Severity::kWarning, Severity::kError}) {
     const std::string_view name = to_string(severity);
     if (std::find(severities->begin(), severities->end(), name) != severities->end()) {
@@ -134,7 +136,8 @@ void ResultsFile::add(std::size_t index, std::string_view line) {
 
 void ResultsFile::finish() {
   // A pipe has nothing to synchronize, and says so.
-  if (descriptor_.number() >= 0 && ::fsync(descriptor_.number()) != 0 && errno != EINVAL) fail(errno);
+  if (descriptor_.number() >= 0 && ::fsync(descriptor_.number()) != 0 && errno != EINVAL)
+    fail(errno);
   if (const int error = close()) fail(error);
   if (std::is_sorted(order_.begin(), order_.end())) return;
   std::error_code ignored;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <rigor/report/number.h>
+#include <rigor/report/simulation/run.h>
 #include <rigor/report/simulation/simulation.h>
 
 namespace rigor::report {
@@ -50,7 +51,7 @@ std::string csv_rows(const author::SimulatedModel& model, const simulate::Run& r
   std::string out;
   for (std::size_t i = 0; i < record.times.size(); ++i) {
     std::string line =
-        fmt::format("{},{},{}", csv_field(case_name(model)), csv_field(run.test), run.seed);
+        fmt::format("{},{},{}", csv_field(case_name(model)), csv_field(run_name(run)), run.seed);
     add_number(line, record.times[i]);
     for (std::size_t k = i * links; k < (i + 1) * links; ++k) {
       const auto& [p, q] = record.link_poses[k];

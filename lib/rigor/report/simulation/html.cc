@@ -71,7 +71,7 @@ std::string causes_html(const SimulatedModel& model) {
 std::string runs_html(const std::vector<simulate::Run>& runs) {
   std::string items;
   for (const simulate::Run& run : runs) {
-    items += fmt::format("<li>{} {}</li>", escaped(run.test), verdict_html(run.verdict));
+    items += fmt::format("<li>{} {}</li>", escaped(run_name(run)), verdict_html(run.verdict));
   }
   return items.empty() ? "" : "<ul class=\"runs\">" + items + "</ul>\n";
 }

@@ -88,6 +88,7 @@ Json run_of(const simulate::Run& run, const simulate::Scene& scene) {
   }
   return {{"test", run.test},
           {"seed", run.seed},
+          {"engine", name_of(run.engine)},
           {"base", base_name(run.scenario.base)},
           {"verdict", to_string(run.verdict)},
           {"duration", finite(run.record.end_time)},
@@ -99,12 +100,38 @@ Json run_of(const simulate::Run& run, const simulate::Scene& scene) {
           {"state_hash", run.record.state_hash}};
 }
 
+Json comparison_of(const simulate::EngineComparison& comparison) {
+  Json metrics = Json::array();
+  for (const simulate::MetricPair& pair : comparison.metrics) {
+    metrics.push_back({{"id", pair.id},
+                       {"unit", pair.unit},
+                       {"ode", finite(pair.ode)},
+                       {"mujoco", finite(pair.mujoco)},
+                       {"ode_verdict", to_string(pair.ode_verdict)},
+                       {"mujoco_verdict", to_string(pair.mujoco_verdict)}});
+  }
+  return {{"test", comparison.test},
+          {"ode", to_string(comparison.ode)},
+          {"mujoco", to_string(comparison.mujoco)},
+          {"apart", finite(comparison.apart)},
+          {"differences", comparison.differences},
+          {"explanation", comparison.explanation},
+          {"metrics", std::move(metrics)}};
+}
+
 Json model_of(const SimulatedModel& model, const Sources& sources) {
   Json runs = Json::array();
   for (const simulate::Run& run : model.simulation.runs) runs.push_back(run_of(run, model.scene));
-  return {{"model", model.path},     {"verdict", to_string(model.verdict())},
-          {"runs", std::move(runs)}, {"left_out", model.left_out},
-          {"notes", model.notes},    {"diagnostics", diagnostics_of(model.diagnostics, sources)}};
+  Json json = {
+      {"model", model.path},     {"verdict", to_string(model.verdict())},
+      {"runs", std::move(runs)}, {"left_out", model.left_out},
+      {"notes", model.notes},    {"diagnostics", diagnostics_of(model.diagnostics, sources)}};
+  if (model.simulation.comparisons.empty()) return json;
+  json["comparisons"] = Json::array();
+  for (const simulate::EngineComparison& each : model.simulation.comparisons) {
+    json["comparisons"].push_back(comparison_of(each));
+  }
+  return json;
 }
 
 Json case_of(const SimulatedModel& model) {

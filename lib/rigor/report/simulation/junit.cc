@@ -11,6 +11,7 @@
 
 #include <rigor/report/junit/document.h>
 #include <rigor/report/number.h>
+#include <rigor/report/simulation/run.h>
 #include <rigor/report/simulation/simulation.h>
 #include <rigor/report/terminal/concise.h>
 
@@ -33,7 +34,7 @@ std::string measured(const simulate::Run& run) {
 
 JunitCase run_case(const SimulatedModel& model, const simulate::Run& run, const Sources& sources) {
   JunitCase one{
-      .class_name = case_name(model), .name = run.test, .time = number(run.record.end_time)};
+      .class_name = case_name(model), .name = run_name(run), .time = number(run.record.end_time)};
   if (run.seed != 0) one.name += fmt::format(" (seed {})", run.seed);
   if (failed(run.verdict)) {
     one.outcome = JunitCase::Outcome::kFailure;

@@ -114,13 +114,18 @@ std::string plots(const simulate::Scene& scene, const simulate::Run& run) {
 
 }  // namespace
 
+std::string run_name(const simulate::Run& run) {
+  if (run.engine == simulate::EngineKind::kOde) return run.test;
+  return run.test + " (" + std::string(name_of(run.engine)) + ')';
+}
+
 std::string verdict_html(simulate::Verdict verdict) {
   return fmt::format("<span class=\"{0}\">{0}</span>", to_string(verdict));
 }
 
 std::string run_html(const simulate::Scene& scene, const simulate::Run& run) {
   std::string out = fmt::format(
-      "<details class=\"run\"><summary>{} – {}: {} s in {} steps, seed {}", escaped(run.test),
+      "<details class=\"run\"><summary>{} – {}: {} s in {} steps, seed {}", escaped(run_name(run)),
       verdict_html(run.verdict), number(run.record.end_time), run.record.steps, run.seed);
   for (const simulate::Confirmation& each : run.confirmations) {
     out += fmt::format("; with {}: {}", escaped(each.what), verdict_html(each.verdict));

@@ -15,6 +15,9 @@
 
 namespace rigor::report {
 
+/// The test, and the engine where that is not ODE: "settle", "settle (mujoco)".
+std::string run_name(const simulate::Run& run);
+
 /// The word in its color.
 std::string verdict_html(simulate::Verdict verdict);
 

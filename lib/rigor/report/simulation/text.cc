@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string_view>
 
 #include <fmt/core.h>
 
 #include <rigor/report/number.h>
+#include <rigor/report/simulation/run.h>
 #include <rigor/report/simulation/simulation.h>
 #include <rigor/report/terminal/pretty.h>
 #include <rigor/report/terminal/printable.h>
@@ -75,7 +77,7 @@ std::string confirmations_line(const simulate::Run& run) {
 }
 
 std::string run_lines(const simulate::Run& run, Color color) {
-  std::string name = run.test;
+  std::string name = run_name(run);
   if (run.seed != 0) name += fmt::format(" #{}", run.seed);
   std::string out = fmt::format("  {:<11} {}{} s in {} steps, {}\n", name,
                                 verdict_cell(run.verdict, color), number(run.record.end_time),
@@ -86,12 +88,39 @@ std::string run_lines(const simulate::Run& run, Color color) {
   return out + confirmations_line(run);
 }
 
+/// A metric with its verdict, where that is not to pass.
+std::string side_of(double value, std::string_view unit, Verdict verdict) {
+  std::string text = amount(value, unit);
+  if (verdict != Verdict::kPass) text += fmt::format(" {}", to_string(verdict));
+  return text;
+}
+
+/// ODE and MuJoCo side by side: the verdicts, and the metrics that do not pass in both.
+std::string comparison_lines(const simulate::EngineComparison& each) {
+  std::string out = fmt::format("  {:<11} {:<24}{:<24}{}\n", each.test, "engine", "ode", "mujoco");
+  out += fmt::format("              {:<24}{:<24}{}\n", "verdict", to_string(each.ode),
+                     to_string(each.mujoco));
+  for (const simulate::MetricPair& pair : each.metrics) {
+    if (pair.ode_verdict == Verdict::kPass && pair.mujoco_verdict == Verdict::kPass) continue;
+    out += fmt::format("              {:<24}{:<24}{}\n", pair.id,
+                       side_of(pair.ode, pair.unit, pair.ode_verdict),
+                       side_of(pair.mujoco, pair.unit, pair.mujoco_verdict));
+  }
+  if (std::isfinite(each.apart)) {
+    out += fmt::format("              {:<24}{} %\n", "ends apart", number(100 * each.apart, 3));
+  }
+  return out;
+}
+
 std::string model_lines(const SimulatedModel& model, Color color) {
   std::string out =
       fmt::format("{}: {}{}\n", printable(case_name(model)),
                   paint(to_string(model.verdict()), paint_of_verdict(model.verdict()), color),
                   model.untested() ? ", but nothing was tested" : "");
   for (const simulate::Run& run : model.simulation.runs) out += run_lines(run, color);
+  for (const simulate::EngineComparison& each : model.simulation.comparisons) {
+    out += comparison_lines(each);
+  }
   for (const std::string& note : model.notes) {
     out += fmt::format("  note        {}\n", printable(note));
   }
@@ -107,7 +136,8 @@ std::string table_line(const SimulatedModel& model, Color color) {
   std::string failed;
   for (const simulate::Run& run : model.simulation.runs) {
     if (run.verdict == Verdict::kPass) continue;
-    failed += fmt::format("{}{} {}", failed.empty() ? "" : ", ", run.test, to_string(run.verdict));
+    failed +=
+        fmt::format("{}{} {}", failed.empty() ? "" : ", ", run_name(run), to_string(run.verdict));
   }
   if (model.untested()) failed = "nothing was tested";
   if (!failed.empty()) line += "  (" + failed + ')';

@@ -73,6 +73,14 @@ std::span<const Row> run_rows() {
               "failure of the model.",
        .what_to_do =
            "Try `--solver dantzig`, or more `--iterations`, and judge by what both agree on."},
+      {.rule = {"simulate-engines-differ", FactKind::kEnginesDiffer, Severity::kWarning},
+       .message = "{name}",
+       .summary = "ODE and MuJoCo give different verdicts",
+       .why = "A metric fails in one engine and not in the other, or the model ends elsewhere. The "
+              "verdict depends on how the simulator models contacts, joints or meshes, so it may "
+              "not carry over to the one you use.",
+       .what_to_do = "Change what the finding names (a concave mesh, a restitution, a friction of "
+                     "one direction), or judge the model in the engine it is for."},
       {.rule = {"simulate-assertion", FactKind::kAssertion, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {

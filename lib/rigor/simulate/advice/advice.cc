@@ -34,6 +34,7 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kStepSensitive:
     case kSeedSensitive:
     case kSolverDiffers:
+    case kEnginesDiffer:
     case kEngineRefused:
       return {kCauseMeshScale, kCauseStartOutsideLimits, kCauseDefaultInertia, kCauseInertia,
               kCauseMassRatio, kCauseWheelOffCenter,     kCauseMeshWheel,      kCauseNoCollision};

@@ -1,16 +1,16 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene in ODE, one step at a time. Only for a process of its own: ODE has globals, and reports
-// what it does not like by handlers that are set for the whole process; here they throw EngineError.
+// A scene in a physics engine, one step at a time: ODE (engine/ode) or MuJoCo (engine/mujoco), chosen by the
+// settings. Only for a process of its own: both have globals, and report what they do not like by handlers that
+// are set for the whole process; here they throw EngineError.
 //
-//   Engine engine(scene, settings);
-//   engine.set_effort(joint, axis, 2.0);
-//   engine.step();
-//   watch.see(engine.state());
+//   const std::unique_ptr<Engine> engine = make_engine(scene, settings);
+//   engine->set_effort(joint, axis, 2.0);
+//   engine->step();
+//   watch.see(engine->state());
 //
-// ODE: R. Smith, "Open Dynamics Engine User Guide", 2006, and its 0.16 sources. How SDF's words become
-// ODE's follows Gazebo 11 where its sources were read (docs/simulate.md has the table).
+// What an engine does with a scene, and what it does not, is docs/engines.md's table.
 
 #pragma once
 
@@ -24,8 +24,9 @@
 
 namespace rigor::simulate {
 
-/// What ODE said before it would have ended the process. The engine is of no use after it, save that
-/// `state()` tells where bodies were left; nor is ODE in this process when it came from a step.
+/// What an engine said before it would have ended the process, or why it does not take a scene. The engine is of
+/// no use after it, save that `state()` tells where bodies were left; nor is its library in this process when it
+/// came from a step.
 class EngineError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -45,38 +46,39 @@ enum class Forces : std::uint8_t { kNone, kAsked };
 
 class Engine {
  public:
-  /// The scene must outlive it. An EngineError in a build without ODE.
-  Engine(const Scene& scene, const SolverSettings& settings);
-  ~Engine();
+  Engine() = default;
+  virtual ~Engine() = default;
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
   /// For the coming steps, until commanded otherwise; `effort` is cut at the axis' limit. A motor reaches
   /// the velocity with at most `effort`, and takes the place of the axis' friction meanwhile.
-  void set_effort(std::uint32_t joint, std::uint32_t axis, double effort);
-  void set_motor(std::uint32_t joint, std::uint32_t axis, double velocity, double effort);
+  virtual void set_effort(std::uint32_t joint, std::uint32_t axis, double effort) = 0;
+  virtual void set_motor(std::uint32_t joint, std::uint32_t axis, double velocity,
+                         double effort) = 0;
   /// Implicit: its force is that of the place and speed at the end of the step, so it is stable however stiff.
   /// To be told again before each step.
-  void set_servo(std::uint32_t joint, std::uint32_t axis, const Servo& servo);
-  void release(std::uint32_t joint, std::uint32_t axis);
+  virtual void set_servo(std::uint32_t joint, std::uint32_t axis, const Servo& servo) = 0;
+  virtual void release(std::uint32_t joint, std::uint32_t axis) = 0;
 
   /// During the next step.
-  void push(std::uint32_t body, const Vector3& impulse_W, const Vector3& p_BP);
-  void set_gravity(const Vector3& gravity_W);
-  void set_velocity(std::uint32_t body, const Vector3& v_WBcm, const Vector3& w_WB);
+  virtual void push(std::uint32_t body, const Vector3& impulse_W, const Vector3& p_BP) = 0;
+  virtual void set_gravity(const Vector3& gravity_W) = 0;
+  /// Of a body that no joint carries.
+  virtual void set_velocity(std::uint32_t body, const Vector3& v_WBcm, const Vector3& w_WB) = 0;
 
   /// Finds contacts where everything is now, without moving it: they are in `state()` then.
-  void touch();
-  void step(Forces forces = Forces::kNone);
+  virtual void touch() = 0;
+  virtual void step(Forces forces) = 0;
+  void step() { step(Forces::kNone); }
 
-  const State& state() const;
+  virtual const State& state() const = 0;
 
-  /// How often ODE has said that its solver is in trouble, in this engine's time.
-  std::uint64_t solver_messages() const;
-
- private:
-  struct World;
-  std::unique_ptr<World> world_;
+  /// How often the engine has said that its solver is in trouble, in this engine's time.
+  virtual std::uint64_t solver_messages() const = 0;
 };
+
+/// The scene must outlive it. An EngineError where the engine is not there, or does not take the scene.
+std::unique_ptr<Engine> make_engine(const Scene& scene, const SolverSettings& settings);
 
 }  // namespace rigor::simulate

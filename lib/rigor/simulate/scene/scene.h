@@ -65,7 +65,7 @@ struct HeightGrid {
 using SceneShapeKind = std::variant<mesh::Box, mesh::Sphere, mesh::Cylinder, mesh::Capsule,
                                     ConvexHull, TriangleSoup, HalfSpace, HeightGrid>;
 
-/// `<surface>`, as SDFormat defaults it. Gazebo takes the smaller mu of a pair; see simulate/engine/contacts.cc.
+/// `<surface>`, as SDFormat defaults it. Gazebo takes the smaller mu of a pair; see simulate/engine/ode/contacts.cc.
 struct ContactSurface {
   double mu = 1;
   double mu2 = 1;
@@ -178,6 +178,14 @@ enum class Solver : std::uint8_t {
   kDantzig,  ///< ODE's exact one, Gazebo's "world"
 };
 
+/// Which engine steps the scene (engine/engine.h).
+enum class EngineKind : std::uint8_t { kOde, kMujoco };
+
+/// "ode", "mujoco".
+constexpr std::string_view name_of(EngineKind engine) {
+  return engine == EngineKind::kOde ? "ode" : "mujoco";
+}
+
 /// How time goes on. Defaults are rigor's own profile (docs/simulate.md says why); what a world's
 /// `<physics>` writes goes before them.
 struct SolverSettings {
@@ -194,6 +202,8 @@ struct SolverSettings {
   int max_contacts = 20;         ///< of a pair of shapes
   bool stiffness = false;  ///< contacts take kp and kd of their surfaces instead of erp and cfm
   std::uint64_t seed = 0;
+  EngineKind engine = EngineKind::kOde;  ///< of MuJoCo only the step counts
+  std::string library;                   ///< the path of MuJoCo's; empty for the installed one
 };
 
 struct Scene {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parts of an engine, for engine*.cc only: ODE's world with the bodies, their shapes, what touches,
+// The parts of an engine, for sources of this folder only: ODE's world with the bodies, their shapes, what touches,
 // and the joints. Frames: an ODE body stands at its center of mass, with the axes of the scene's body B.
 //
 //   OdeWorld ode(scene, settings);
@@ -19,6 +19,7 @@
 
 #include <ode/ode.h>
 
+#include <rigor/simulate/engine/contact_rules.h>
 #include <rigor/simulate/engine/engine.h>
 #include <rigor/simulate/engine/state.h>
 #include <rigor/simulate/scene/scene.h>
@@ -111,9 +112,7 @@ class EngineContacts {
  private:
   struct Shape {
     std::uint32_t body = kWorld;
-    std::uint32_t model = kWorld;  ///< kWorld for ground that belongs to none
     Quaternion R_BL;
-    bool self_collide = false;
     const ContactSurface* surface = nullptr;
   };
 
@@ -122,16 +121,14 @@ class EngineContacts {
 
   static void near(void* self, dGeomID a, dGeomID b);
   void touch(dGeomID a, dGeomID b);
-  bool may_touch(const Shape& a, const Shape& b) const;
-  bool are_jointed(std::uint32_t a, std::uint32_t b) const;
   dContact surface_of(const Shape& a, const Shape& b) const;
   Vector3 first_direction(const Shape& a, const Shape& b) const;
   int choose(int found, int wanted);
 
   const OdeWorld& ode_;
   SolverSettings settings_;
+  ContactRules rules_;
   std::vector<Shape> shapes_;
-  std::vector<std::uint64_t> jointed_;  ///< pairs of bodies, sorted
   std::array<dContactGeom, kFound> found_{};
   // Of the moment that is examined.
   Join join_ = Join::kNo;

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-#include <rigor/simulate/engine/world.h>
+#include <rigor/simulate/engine/ode/world.h>
 #include <rigor/simulate/run.h>
 
 namespace rigor::simulate {

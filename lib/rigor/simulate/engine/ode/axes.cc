@@ -17,7 +17,7 @@
 #include <cmath>
 #include <string>
 
-#include <rigor/simulate/engine/world.h>
+#include <rigor/simulate/engine/ode/world.h>
 
 namespace rigor::simulate {
 namespace {

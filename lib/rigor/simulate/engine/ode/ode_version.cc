@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/engine/ode_version.h>
+#include <rigor/simulate/engine/ode/ode_version.h>
 
 #include <ode/version.h>
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <variant>
 
-#include <rigor/simulate/engine/world.h>
+#include <rigor/simulate/engine/ode/world.h>
 
 namespace rigor::simulate {
 namespace {

@@ -1,24 +1,17 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the surfaces of two shapes make a contact, after Gazebo 11 (physics/ode/ODEPhysics.cc): the
-// smaller mu, restitution and bounce threshold of the two, slips summed up (they give way one after the
-// other), kp in series, kd summed up, the direction of the smaller mu.
+// How the surfaces of two shapes make a contact, after Gazebo 11 (physics/ode/ODEPhysics.cc): as
+// contact_rules.h has it, with the direction of the smaller mu.
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <rigor/simulate/engine/world.h>
+#include <rigor/simulate/engine/ode/world.h>
 
 namespace rigor::simulate {
 namespace {
-
-constexpr std::uint64_t body_pair(std::uint32_t a, std::uint32_t b) {
-  return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
-}
-
-double in_series(double a, double b) { return a > 0 && b > 0 ? 1 / (1 / a + 1 / b) : 0; }
 
 /// fdir1 nearer than this to the normal gives no direction to slide along: the engine chooses.
 constexpr double kMinAcross = 1e-3;
@@ -27,37 +20,12 @@ constexpr double kMinAcross = 1e-3;
 
 EngineContacts::EngineContacts(const Scene& scene, const SolverSettings& settings,
                                const OdeWorld& ode)
-    : ode_(ode), settings_(settings) {
+    : ode_(ode), settings_(settings), rules_(scene) {
   for (const SceneShape& shape : scene.shapes) {
     Shape known{.body = shape.body, .surface = &shape.surface};
-    if (shape.link < scene.links.size()) {
-      known.R_BL = scene.links[shape.link].X_BL.rotation;
-      known.model = scene.links[shape.link].model;
-    }
-    if (shape.body != kWorld) {
-      known.model = scene.bodies[shape.body].model;
-      known.self_collide = scene.bodies[shape.body].self_collide;
-    }
+    if (shape.link < scene.links.size()) known.R_BL = scene.links[shape.link].X_BL.rotation;
     shapes_.push_back(known);
   }
-  for (const SceneJoint& joint : scene.joints) {
-    jointed_.push_back(body_pair(joint.parent, joint.child));
-  }
-  std::sort(jointed_.begin(), jointed_.end());
-}
-
-bool EngineContacts::are_jointed(std::uint32_t a, std::uint32_t b) const {
-  return std::binary_search(jointed_.begin(), jointed_.end(), body_pair(a, b));
-}
-
-bool EngineContacts::may_touch(const Shape& a, const Shape& b) const {
-  if ((a.surface->collide_bitmask & b.surface->collide_bitmask) == 0) return false;
-  if (a.surface->collide_without_contact || b.surface->collide_without_contact) return false;
-  const bool same = a.model == b.model && a.model != kWorld;
-  if (same && !a.self_collide && !b.self_collide) return false;
-  // What hangs on the world touches the ground all the same, only not the model's own parts there.
-  if (!same && (a.body == kWorld || b.body == kWorld)) return true;
-  return !are_jointed(a.body, b.body);
 }
 
 Vector3 EngineContacts::first_direction(const Shape& a, const Shape& b) const {
@@ -69,27 +37,25 @@ Vector3 EngineContacts::first_direction(const Shape& a, const Shape& b) const {
 }
 
 dContact EngineContacts::surface_of(const Shape& a, const Shape& b) const {
-  const ContactSurface& one = *a.surface;
-  const ContactSurface& two = *b.surface;
+  const ContactSurface both = combined(*a.surface, *b.surface);
   dContact contact{};
   dSurfaceParameters& s = contact.surface;
   s.mode = dContactApprox1 | dContactMu2;
-  s.mu = std::min(one.mu, two.mu);
-  s.mu2 = std::min(one.mu2, two.mu2);
-  s.slip1 = one.slip1 + two.slip1;
-  s.slip2 = one.slip2 + two.slip2;
+  s.mu = both.mu;
+  s.mu2 = both.mu2;
+  s.slip1 = both.slip1;
+  s.slip2 = both.slip2;
   if (s.slip1 > 0) s.mode |= dContactSlip1;
   if (s.slip2 > 0) s.mode |= dContactSlip2;
-  s.bounce = std::min(one.restitution, two.restitution);
-  s.bounce_vel = std::min(one.bounce_threshold, two.bounce_threshold);
+  s.bounce = both.restitution;
+  s.bounce_vel = both.bounce_threshold;
   if (s.bounce > 0) s.mode |= dContactBounce;
   if (settings_.stiffness) {
     const double h = settings_.step;
-    const double kp = in_series(one.kp, two.kp);
-    const double give = h * kp + one.kd + two.kd;
+    const double give = h * both.kp + both.kd;
     if (give > 0) {
       s.mode |= dContactSoftERP | dContactSoftCFM;
-      s.soft_erp = h * kp / give;
+      s.soft_erp = h * both.kp / give;
       s.soft_cfm = 1 / give;
     }
   }
@@ -137,7 +103,7 @@ void EngineContacts::touch(dGeomID a, dGeomID b) {
   const std::uint32_t shape_b = index(b);
   const Shape& one = shapes_[shape_a];
   const Shape& two = shapes_[shape_b];
-  if (!may_touch(one, two)) return;
+  if (!rules_.may_touch(shape_a, shape_b)) return;
   const int wanted = std::min(
       {settings_.max_contacts, one.surface->max_contacts, two.surface->max_contacts, kFound});
   if (wanted <= 0) return;
