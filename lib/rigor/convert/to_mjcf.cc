@@ -24,29 +24,12 @@ namespace {
 using model::Id;
 using robot::kNoIndex;
 
-/// The links without mass that move weigh this share of the robot together: a tenth of what a comparison of
-/// masses lets pass.
-constexpr double kMasslessShare = 1e-10;
-/// kg, of a robot that weighs nothing at all.
-constexpr double kWeightlessRobot = 1;
-/// kg: below it MuJoCo rejects the inertia that goes with it.
-constexpr double kMinMasslessLink = 1e-12;
-
 /// Elements around the bodies of the deepest chain, and what stands in a body, that a reader of XML has to
 /// take as well; tinyxml2 up to version 9 stops at 100 levels.
 constexpr std::size_t kMaxBodyDepth = 90;
 
 /// MuJoCo 2.2.2 reads no longer list.
 constexpr std::size_t kMaxKeyframeNumbers = 1000;
-
-double massless_link(const robot::Robot& robot) {
-  double total = 0;
-  for (const robot::Body& body : robot.bodies) total += std::max(body.mass.mass, 0.0);
-  if (!(total > 0) || !std::isfinite(total)) total = kWeightlessRobot;
-  const auto count = static_cast<double>(std::max<std::size_t>(robot.bodies.size(), 1));
-  return std::max(std::pow(10, std::floor(std::log10(kMasslessShare * total / count))),
-                  kMinMasslessLink);
-}
 
 class MjcfBuilder {
  public:
@@ -59,7 +42,7 @@ class MjcfBuilder {
                assembly,
                MjcfEntities(source.source.root),
                fixed_to_world(assembly.robot, assembly.world)} {
-    draft_.next_to_nothing = massless_link(assembly.robot);
+    draft_.next_to_nothing = mjcf_massless_link(assembly.robot);
     draft_.joint_names = mjcf_joint_names(draft_);
   }
 

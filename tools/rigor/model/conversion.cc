@@ -51,6 +51,10 @@ bool loss_alone_keeps_from_writing(const author::Conversion& result) {
          });
 }
 
+std::string name_of(model::Format format) {
+  return format == model::Format::kSdf ? "SDF" : format == model::Format::kUrdf ? "URDF" : "MJCF";
+}
+
 /// One finding for one cause.
 author::Conversion grouped_result(author::Conversion result) {
   result.diagnostics = grouped(result.diagnostics);
@@ -113,7 +117,7 @@ int ConversionCommand::run(const Convert& convert) const {
   if (loaded.root.format != from_ || !file.document->complete()) {
     say("rigor: " + report::printable(file.path) +
         (file.document->complete() ? ": holds no " : ": is not well-formed ") +
-        (from_ == model::Format::kSdf ? "SDF" : "URDF") + "; run `rigor validate` for details");
+        name_of(from_) + "; run `rigor validate` for details");
     return kFindings;
   }
   author::ConversionOptions options;
@@ -179,10 +183,17 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
                              const author::Conversion& result) const {
   RobotFiles files(environment, sources, workspace);
   const read::Loaded kept = files.load(check_);
-  const auto a = files.robot(loaded, loaded.root[result.model].name.value);
+  // Of MJCF the robot that the conversion makes of it: choices are no differences.
+  const bool made = from_ == model::Format::kMjcf && result.text;
+  const read::Loaded as_made =
+      made ? read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
+                        workspace.put(loaded.file->path + ending_, *result.text))
+           : read::Loaded{};
+  const auto a = made ? files.robot(as_made, {})
+                      : files.robot(loaded, loaded.root[result.model].name.value);
   const auto b = files.robot(kept, {});
   if (!a || !b) return kFindings;
-  robot::Correspondence names = result.names;
+  robot::Correspondence names = made ? robot::Correspondence{} : result.names;
   names.placement = robot::Placement::kReported;
   std::vector<robot::Difference> differences = robot::compare(*a, *b, names);
   bool settings_left_out = true;
@@ -199,6 +210,9 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
       d.span_a = {};  // in a text that nobody has
       differences.push_back(std::move(d));
     }
+  }
+  if (made) {
+    for (robot::Difference& d : differences) d.span_a = {};  // in a text that nobody has
   }
   const report::RobotDiff diff{
       {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources, settings_left_out};

@@ -39,6 +39,9 @@ struct MjcfAssembly {
 MjcfAssembly mjcf_assembly(const MjcfSource& source, const MjcfOptions& options,
                            const std::vector<model::Id<model::Model>>& models);
 
+/// kg, of each link without mass that has to have one: all of them together weigh next to nothing.
+double mjcf_massless_link(const robot::Robot& robot);
+
 /// Whether the body's frame never moves.
 std::vector<bool> fixed_to_world(const robot::Robot& robot, std::uint32_t world);
 

@@ -43,6 +43,7 @@ struct SdfShape {
   std::string name;
   SdfPose pose;
   UrdfGeometry geometry;  ///< a mesh's `filename` is its URI
+  std::optional<SdfElement> other_geometry = {};  ///< in its place: a shape that URDF lacks
   std::vector<SdfElement> rest = {};
   Remarks comments = {};
 };
