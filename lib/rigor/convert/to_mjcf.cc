@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -73,6 +74,8 @@ class MjcfBuilder {
     for (MjcfElement* section : {&draft_.equality, &draft_.actuator, &draft_.sensor}) {
       add_section(root, *section);
     }
+    MjcfElement contact = excluded();
+    add_section(root, contact);
     MjcfElement keyframe = home();
     add_section(root, keyframe);
     name_map();
@@ -191,6 +194,29 @@ class MjcfBuilder {
     }
   }
 
+  /// Pairs of bodies that do not touch; of links that were lumped, what holds them.
+  MjcfElement excluded() const {
+    const auto& held_by = draft_.assembly.held_by;
+    const auto body_of = [&](const std::string& link) {
+      const auto held = held_by.find(link);
+      const std::string& name = held == held_by.end() ? link : held->second;
+      const auto& bodies = draft_.robot().bodies;
+      const bool found = std::any_of(bodies.begin(), bodies.end(),
+                                     [&](const auto& body) { return body.name == name; });
+      return found && name != robot::kWorldBody ? name : std::string();
+    };
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const auto& [first, second] : draft_.options.excluded) {
+      std::string a = body_of(first), b = body_of(second);
+      if (a.empty() || b.empty() || a == b) continue;
+      if (b < a) std::swap(a, b);
+      pairs.emplace(std::move(a), std::move(b));
+    }
+    MjcfElement contact{"contact"};
+    for (const auto& [a, b] : pairs) contact.add({"exclude", {{"body1", a}, {"body2", b}}});
+    return contact;
+  }
+
   // --- the keyframe ---
 
   /// MuJoCo numbers bodies from the root down, each with all that it carries before the next.
@@ -206,7 +232,7 @@ class MjcfBuilder {
 
   MjcfElement home() const {
     const robot::Robot& robot = draft_.robot();
-    const robot::Positions positions = home_positions(robot);
+    const robot::Positions positions = home_positions(robot, draft_.options.home);
     std::string qpos;
     const auto append = [&qpos](const std::string& text) {
       qpos += (qpos.empty() ? "" : " ") + text;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include <rigor/read/load.h>
@@ -26,6 +28,7 @@ namespace rigor::tool {
 namespace {
 
 constexpr std::string_view kMjcfEnding = ".xml";
+constexpr std::string_view kSceneFile = "scene.xml";
 
 /// Without what a reader of the pretty report needs not be told: infos on what is not lost.
 Diagnostics without_infos(const author::Conversion& result) {
@@ -169,10 +172,32 @@ void ConversionCommand::write_result(const author::Conversion& result) const {
   if (out_.empty() && !result.files.empty()) {
     throw UsageError("some of it goes into files next to the result: write it with -o FILE");
   }
-  for (const convert::SideFile& file : result.files) {
-    put_file(std::string(parent_path(out_)), file.name, file.bytes);
+  std::vector<std::string> places;
+  for (const convert::SideFile& file : result.files) places.push_back(place_of(file));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    put_file(std::string(parent_path(out_)), places[i], result.files[i].bytes);
   }
   write({0, out_}, *result.text);
+}
+
+/// Its name, but for the scene of another robot in the same folder. A mesh of another robot is not replaced
+/// while this one is new there: its file would show something else.
+std::string ConversionCommand::place_of(const convert::SideFile& file) const {
+  const std::string folder(parent_path(out_));
+  const std::string path = join_path(folder, file.name);
+  const bool shared = file.name == kSceneFile || file.name.starts_with("assets/") ||
+                      file.name.starts_with("meshes/");
+  std::error_code error;
+  if (!shared || !std::filesystem::is_regular_file(path, error)) return file.name;
+  std::ifstream stream(path, std::ios::binary);
+  const std::string there((std::istreambuf_iterator<char>(stream)), {});
+  if (there == file.bytes) return file.name;
+  if (file.name == kSceneFile) {
+    const bool own = there.find("<include file=\"" + stem() + ".xml\"/>") != std::string::npos;
+    return own ? file.name : stem() + '_' + file.name;
+  }
+  if (std::filesystem::exists(out_, error)) return file.name;
+  throw UsageError(path + " exists and is another mesh: write the result to another folder");
 }
 
 /// As robots, with the names that the conversion would have given, and what they tell simulators with what

@@ -46,6 +46,7 @@ class ConversionCommand {
   int check(const Environment& environment, Sources& sources, read::Workspace& workspace,
             const read::Loaded& loaded, const author::Conversion& result) const;
   void write_result(const author::Conversion& result) const;
+  std::string place_of(const convert::SideFile& file) const;
   void tell(const author::Conversion& result, const Sources& sources) const;
   void refuse_stdout_twice() const;
 

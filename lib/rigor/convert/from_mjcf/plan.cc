@@ -25,17 +25,13 @@ constexpr double kMinAnchorDistance = 1e-6;
 /// How far a weld may be from where its bodies are at rest: the digits of a file.
 constexpr double kWeldAtRest = 1e-6;
 
-std::string word_of(xml::Element element, std::string_view attribute) {
-  return read::string_field(read::attribute_text(element, attribute)).value;
-}
-
 bool is_active(const read::MjcfValues& values) {
   const auto active = values.text("active");
   return !active || read::trimmed(active->text) != "false";
 }
 
 read::MjcfValues equality_values(const read::MjcfScope& scope, xml::Element element) {
-  const auto id = scope.defaults.find(word_of(element, "class"));
+  const auto id = scope.defaults.find(mjcf_word(element, "class"));
   return scope.defaults.values(element, "equality", id.value_or(read::MjcfDefaults::kMain));
 }
 
@@ -46,6 +42,10 @@ bool is_near(const Pose& a, const Pose& b) {
 }
 
 }  // namespace
+
+std::string mjcf_word(xml::Element element, std::string_view attribute) {
+  return read::string_field(read::attribute_text(element, attribute)).value;
+}
 
 MjcfPlan::MjcfPlan(const FromMjcfSource& from, const FromMjcfOptions& how, MjcfTarget to)
     : source(from),
@@ -164,7 +164,7 @@ void MjcfPlan::find_loops() {
     if (!is_active(values)) continue;
     MjcfLoop loop;
     loop.elements.push_back(element);
-    loop.name = word_of(element, "name");
+    loop.name = mjcf_word(element, "name");
     loop.type = weld ? JointType::kFixed : JointType::kBall;
     if (values.string("site1").written) {
       const auto X_P = site_pose(values.string("site1").value, loop.parent);

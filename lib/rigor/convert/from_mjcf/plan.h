@@ -81,6 +81,9 @@ struct MjcfPlan {
   std::optional<model::Pose> site_pose(std::string_view name, std::uint32_t& body) const;
 };
 
+/// The text of an attribute; empty where it is not written.
+std::string mjcf_word(xml::Element element, std::string_view attribute);
+
 /// The name of the SDF link that holds the shapes of the world.
 inline constexpr std::string_view kSurroundings = "surroundings";
 

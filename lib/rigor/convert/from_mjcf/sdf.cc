@@ -24,10 +24,10 @@ using model::JointType;
 using model::Pose;
 using robot::kNoIndex;
 
-constexpr const char* kNoLowerLimit = "-1e16";
-constexpr const char* kNoUpperLimit = "1e16";
+constexpr const char* kEndlessLower = "-1e16";
+constexpr const char* kEndlessUpper = "1e16";
 
-UrdfInertial inertial_of(const mass::MassProperties& body) {
+UrdfInertial inertial_of_body(const mass::MassProperties& body) {
   const mass::Inertia& I = body.about_com;
   return {origin_of({body.com, {}}),
           {body.mass, {}},
@@ -139,7 +139,7 @@ class MjcfToSdf {
     const mass::MassProperties body =
         mass::resolve(root_, plan_.source.source.frames, {i}, plan_.source.lookups.find_mesh).body;
     if (body.mass > 0) {
-      link.inertial = inertial_of(body);
+      link.inertial = inertial_of_body(body);
     } else {
       link.inertial = next_to_nothing(draft_);
       note(NoteKind::kFromMjcfMassless, Outcome::kSubstituted, plan_.link(i).site.name,
@@ -257,8 +257,8 @@ class MjcfToSdf {
     const auto bound = [](double value, const char* none) {
       return std::isfinite(value) ? to_text({value, {}}) : std::string(none);
     };
-    limit.at("lower").text = bound(axis.lower, kNoLowerLimit);
-    limit.at("upper").text = bound(axis.upper, kNoUpperLimit);
+    limit.at("lower").text = bound(axis.lower, kEndlessLower);
+    limit.at("upper").text = bound(axis.upper, kEndlessUpper);
     if (std::isfinite(axis.effort)) limit.at("effort").text = to_text({axis.effort, {}});
     result.rest.push_back(std::move(limit));
     SdfElement dynamics{.name = "dynamics"};

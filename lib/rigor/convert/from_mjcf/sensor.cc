@@ -19,15 +19,11 @@ namespace {
 using model::Pose;
 
 /// SDF's camera looks along x, with z up; MuJoCo's along -z, with y up.
-constexpr model::Quaternion kLooksAlongX{0.5, 0.5, -0.5, -0.5};
+constexpr model::Quaternion kFromCameraOfSdf{0.5, 0.5, -0.5, -0.5};
 /// The sides of an image, which MJCF leaves to who renders it.
-constexpr int kWidth = 320, kHeight = 240;
+constexpr int kImageWidth = 320, kImageHeight = 240;
 /// degrees, of a camera that says nothing.
 constexpr double kFieldOfView = 45;
-
-std::string word_of(xml::Element element, std::string_view attribute) {
-  return read::string_field(read::attribute_text(element, attribute)).value;
-}
 
 std::string pose_words(const Pose& X) {
   const UrdfOrigin origin = origin_of(X);
@@ -42,8 +38,8 @@ class MjcfSensorReader {
     std::vector<std::string> order;
     std::map<std::string, std::vector<xml::Element>> by_site;
     for (const xml::Element element : plan_.scope.tree.in_sections("sensor")) {
-      std::string site = word_of(element, "site");
-      if (site.empty() && word_of(element, "objtype") == "site") site = word_of(element, "objname");
+      std::string site = mjcf_word(element, "site");
+      if (site.empty() && mjcf_word(element, "objtype") == "site") site = mjcf_word(element, "objname");
       if (site.empty()) continue;
       if (by_site[site].empty()) order.push_back(site);
       by_site[site].push_back(element);
@@ -114,7 +110,7 @@ class MjcfSensorReader {
       ledger_.note({.kind = NoteKind::kFromMjcfSensor,
                     .outcome = Outcome::kSubstituted,
                     .where = element.name_span(),
-                    .subject = std::string(element.name()) + " " + word_of(element, "name"),
+                    .subject = std::string(element.name()) + " " + mjcf_word(element, "name"),
                     .written = std::string(element.name()),
                     .instead = instead});
     }
@@ -139,24 +135,24 @@ class MjcfSensorReader {
     const xml::Element element = plan_.source.source.documents.element(plan_.link(body).site);
     for (const xml::Element child : plan_.scope.tree.children(element)) {
       if (child.name() != "camera") continue;
-      const auto id = plan_.scope.defaults.find(word_of(child, "class"));
+      const auto id = plan_.scope.defaults.find(mjcf_word(child, "class"));
       const read::MjcfValues values =
           plan_.scope.defaults.values(child, "camera", id.value_or(read::MjcfDefaults::kMain));
       const std::string mode = values.string("mode", "fixed").value;
       const double fovy = values.number("fovy", kFieldOfView).value * std::numbers::pi / 180;
       if (mode != "fixed" || !(fovy > 0) || !(fovy < std::numbers::pi)) continue;
       const Pose X = compose(read::mjcf_pose(values, plan_.scope.settings),
-                             inverse(Pose{{}, kLooksAlongX}));
-      const double across = 2 * std::atan(std::tan(fovy / 2) * kWidth / kHeight);
-      std::string name = word_of(child, "name");
+                             inverse(Pose{{}, kFromCameraOfSdf}));
+      const double across = 2 * std::atan(std::tan(fovy / 2) * kImageWidth / kImageHeight);
+      std::string name = mjcf_word(child, "name");
       if (name.empty()) name = "camera";
-      take({child}, "a camera of " + std::to_string(kWidth) + " x " + std::to_string(kHeight));
+      take({child}, "a camera of " + std::to_string(kImageWidth) + " x " + std::to_string(kImageHeight));
       sensors_.of_body[body].push_back(sensor(name, "camera", X, [&](XmlWriter& out) {
         out.open("camera");
         out.text("horizontal_fov", to_text({across, {}}));
         out.open("image");
-        out.text("width", std::to_string(kWidth));
-        out.text("height", std::to_string(kHeight));
+        out.text("width", std::to_string(kImageWidth));
+        out.text("height", std::to_string(kImageHeight));
         out.close();
         out.close();
       }));
@@ -174,9 +170,9 @@ struct Masks {
 
 /// By the class of the element, or the nearest `childclass` around it.
 Masks masks_of(const MjcfPlan& plan, xml::Element geom) {
-  std::string name = word_of(geom, "class");
+  std::string name = mjcf_word(geom, "class");
   for (auto at = geom.parent(); name.empty() && at; at = at->parent()) {
-    name = word_of(*at, "childclass");
+    name = mjcf_word(*at, "childclass");
   }
   const auto id = plan.scope.defaults.find(name);
   const read::MjcfValues values =

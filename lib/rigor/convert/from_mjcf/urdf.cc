@@ -23,7 +23,7 @@ using model::JointType;
 using model::Pose;
 using robot::kNoIndex;
 
-std::array<Number, 6> numbers_of(const mass::Inertia& I) {
+std::array<Number, 6> tensor_entries(const mass::Inertia& I) {
   return {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}},
           Number{I.iyy, {}}, Number{I.iyz, {}}, Number{I.izz, {}}};
 }
@@ -103,7 +103,7 @@ class MjcfToUrdf {
     UrdfLink link{.name = name_of(i)};
     if (body.mass.mass > 0) {
       link.inertial = UrdfInertial{
-          origin_of({body.mass.com, {}}), {body.mass.mass, {}}, numbers_of(body.mass.about_com)};
+          origin_of({body.mass.com, {}}), {body.mass.mass, {}}, tensor_entries(body.mass.about_com)};
     }
     add_shapes(link, i);
     draft_.robot.links.push_back(std::move(link));
