@@ -90,9 +90,10 @@ TEST_F(MjcfCli, WritesUrdfAndSdfOfMjcf) {
 }
 
 TEST_F(MjcfCli, KeepsTheSceneAndTheMeshesOfAnotherRobot) {
-  const std::string mesh = "<link name='hull'><inertial><mass>1</mass></inertial><collision name='c'>"
-                           "<geometry><mesh><uri>a.obj</uri></mesh></geometry></collision></link>"
-                           "<joint name='w' type='fixed'><parent>tip</parent><child>hull</child></joint>";
+  const std::string mesh =
+      "<link name='hull'><inertial><mass>1</mass></inertial><collision name='c'>"
+      "<geometry><mesh><uri>a.obj</uri></mesh></geometry></collision></link>"
+      "<joint name='w' type='fixed'><parent>tip</parent><child>hull</child></joint>";
   const auto tetrahedron = [](const std::string& top) {
     return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 " + top + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   };

@@ -57,17 +57,19 @@ TEST(FromMjcf, OneOfSeveralBodiesIsConvertedWhenItIsNamed) {
   how.body = "b";
   const FromMjcf urdf(body("a", "<freejoint/>") + body("b", "<freejoint/>"), Target::kUrdf, how);
   EXPECT_EQ(urdf.all("link").size(), 1U);
-  EXPECT_EQ(urdf.of_rule("convert-from-mjcf-left-out"), Names{"body a is left out: --model names another one (8 elements and attributes)"});
+  EXPECT_EQ(urdf.of_rule("convert-from-mjcf-left-out"),
+            Names{"body a is left out: --model names another one (7 elements and attributes)"});
   how.body = "c";
   EXPECT_FALSE(FromMjcf(body("a", ""), Target::kUrdf, how).result.text);
 }
 
 /// A joint off its body's origin: URDF moves the link's frame there, SDF keeps it.
 TEST(FromMjcf, AJointStandsWhereTheFileHasIt) {
-  const std::string text = body(
-      "base", body("arm", "<joint name='j' pos='.1 0 0' axis='0 0 2' range='-1 2' damping='.5' "
-                          "frictionloss='.25' stiffness='3' springref='.5'/>",
-                   "pos='1 0 0'"));
+  const std::string text =
+      body("base", body("arm",
+                        "<joint name='j' pos='.1 0 0' axis='0 0 2' range='-1 2' damping='.5' "
+                        "frictionloss='.25' stiffness='3' springref='.5'/>",
+                        "pos='1 0 0'"));
   const FromMjcf urdf(text, Target::kUrdf);
   EXPECT_EQ(urdf.at("joint", "j", "@type"), "revolute");
   EXPECT_EQ(urdf.at("joint", "j", "origin/@xyz"), "1.1 0 0");
@@ -109,8 +111,8 @@ TEST(FromMjcf, LimitsCountFromRestAndInRadians) {
 }
 
 TEST(FromMjcf, SeveralJointsOfABodyAreARow) {
-  const std::string text = body(
-      "base", body("arm", "<joint name='x' type='slide' axis='1 0 0'/><joint name='z'/>"));
+  const std::string text =
+      body("base", body("arm", "<joint name='x' type='slide' axis='1 0 0'/><joint name='z'/>"));
   const FromMjcf urdf(text, Target::kUrdf);
   EXPECT_EQ(urdf.at("joint", "x", "@type"), "prismatic");
   EXPECT_EQ(urdf.at("joint", "x", "child/@link"), "arm_x");
@@ -139,15 +141,15 @@ TEST(FromMjcf, ABallIsABallInSdfAndThreeJointsInUrdf) {
 
 std::string finger(const std::string& sections) {
   return "<mujoco><compiler angle='radian'/><worldbody>" +
-         body("base", body("a", "<joint name='lead'/>" + body("c", "<joint name='hand'/>",
-                                                              "pos='1 0 0'")) +
-                          body("b", "<joint name='tail'/>", "pos='0 1 0'")) +
+         body("base",
+              body("a", "<joint name='lead'/>" + body("c", "<joint name='hand'/>", "pos='1 0 0'")) +
+                  body("b", "<joint name='tail'/>", "pos='0 1 0'")) +
          "</worldbody>" + sections + "</mujoco>";
 }
 
 TEST(FromMjcf, AnEqualityOfJointsIsAMimic) {
-  const std::string text = finger(
-      "<equality><joint joint1='tail' joint2='lead' polycoef='.1 -2 0 0 0'/></equality>");
+  const std::string text =
+      finger("<equality><joint joint1='tail' joint2='lead' polycoef='.1 -2 0 0 0'/></equality>");
   const FromMjcf urdf(text, Target::kUrdf);
   EXPECT_EQ(urdf.at("joint", "tail", "mimic/@joint"), "lead");
   EXPECT_EQ(urdf.at("joint", "tail", "mimic/@multiplier"), "-2");
@@ -161,8 +163,8 @@ TEST(FromMjcf, AnEqualityOfJointsIsAMimic) {
 
 /// An anchor at (1, 1, 0) in the base is at (0, 1, 0) in `c`, which is at (1, 0, 0).
 TEST(FromMjcf, AConnectClosesALoopInSdf) {
-  const std::string text = finger(
-      "<equality><connect name='pin' body1='b' body2='c' anchor='1 0 0'/></equality>");
+  const std::string text =
+      finger("<equality><connect name='pin' body1='b' body2='c' anchor='1 0 0'/></equality>");
   const FromMjcf sdf(text, Target::kSdf);
   EXPECT_EQ(sdf.at("joint", "pin", "@type"), "ball");
   EXPECT_EQ(sdf.at("joint", "pin", "parent"), "b");
@@ -225,7 +227,8 @@ TEST(FromMjcf, BodiesThatMayTouchMakeTheModelCollideWithItself) {
            body("a", body("b", "<joint/>" + body("c", "<joint/>"))) + "</worldbody></mujoco>";
   };
   EXPECT_EQ(FromMjcf(text(""), Target::kSdf).all("self_collide").size(), 1U);
-  EXPECT_TRUE(FromMjcf(text("contype='2' conaffinity='1'"), Target::kSdf).all("self_collide").empty());
+  EXPECT_TRUE(
+      FromMjcf(text("contype='2' conaffinity='1'"), Target::kSdf).all("self_collide").empty());
 }
 
 TEST(FromMjcf, VerticesOfTheFileBecomeAMeshFile) {
@@ -247,13 +250,15 @@ TEST(FromMjcf, TheAccountIsOverAllOfAllFiles) {
       "<mujoco model='m'><include file='more.xml'/><option timestep='.001'/>"
       "<default><default class='x'><joint armature='1' damping='2'/></default></default>"
       "<worldbody>" +
-      body("base", "<freejoint/>" + body("arm", "<joint class='x' name='j' solreflimit='1 1'/>"
-                                                "<plugin plugin='p'/><camera name='eye'/>")) +
+      body("base", "<freejoint/>" + body("arm",
+                                         "<joint class='x' name='j' solreflimit='1 1'/>"
+                                         "<plugin plugin='p'/><camera name='eye'/>")) +
       "</worldbody></mujoco>";
   for (const Target target : {Target::kUrdf, Target::kSdf}) {
     const FromMjcf made(text, target, {},
-                        {{"in/more.xml", "<mujoco><visual><map znear='1'/></visual><contact>"
-                                         "<exclude body1='base' body2='arm'/></contact></mujoco>"}});
+                        {{"in/more.xml",
+                          "<mujoco><visual><map znear='1'/></visual><contact>"
+                          "<exclude body1='base' body2='arm'/></contact></mujoco>"}});
     const auto& counts = made.result.account.counts;
     EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::size_t{0}), made.nodes());
     EXPECT_EQ(made.of_rule("convert-from-mjcf-dynamics").size(), 2U);

@@ -121,13 +121,24 @@ TEST(CorpusFromMjcf, ResultsOfRealModelsAreTakenAndAreTheSameRobots) {
 /// What MJCF has no place for: names of shapes, meshes that are other files, velocities, what a plane is.
 bool is_of_mjcf(robot::DifferenceKind kind) {
   using Kind = robot::DifferenceKind;
-  static const std::set<Kind> kKinds{
-      Kind::kPartRenamed,      Kind::kCollisionOnlyInA, Kind::kCollisionOnlyInB,
-      Kind::kVisualOnlyInA,    Kind::kVisualOnlyInB,    Kind::kMesh,
-      Kind::kShape,            Kind::kSize,             Kind::kColor,
-      Kind::kVelocity,         Kind::kEffort,           Kind::kFrameOnlyInA,
-      Kind::kFrameOnlyInB,     Kind::kCollisionMoved,   Kind::kVisualMoved,
-      Kind::kJointOnlyInA,     Kind::kJointOnlyInB,     Kind::kJointRenamed};
+  static const std::set<Kind> kKinds{Kind::kPartRenamed,
+                                     Kind::kCollisionOnlyInA,
+                                     Kind::kCollisionOnlyInB,
+                                     Kind::kVisualOnlyInA,
+                                     Kind::kVisualOnlyInB,
+                                     Kind::kMesh,
+                                     Kind::kShape,
+                                     Kind::kSize,
+                                     Kind::kColor,
+                                     Kind::kVelocity,
+                                     Kind::kEffort,
+                                     Kind::kFrameOnlyInA,
+                                     Kind::kFrameOnlyInB,
+                                     Kind::kCollisionMoved,
+                                     Kind::kVisualMoved,
+                                     Kind::kJointOnlyInA,
+                                     Kind::kJointOnlyInB,
+                                     Kind::kJointRenamed};
   return kKinds.contains(kind);
 }
 

@@ -33,7 +33,8 @@ struct Checked {
 
 /// Of the rules on MJCF, those that a conversion to URDF breaks.
 constexpr std::string_view kFromMjcfToUrdf[] = {"convert-from-mjcf-loop", "convert-from-mjcf-root",
-                                                "convert-from-mjcf-free", "convert-from-mjcf-world"};
+                                                "convert-from-mjcf-free",
+                                                "convert-from-mjcf-world"};
 
 /// Converts a model to the other format, or to MJCF for a rule on that.
 Diagnostics converted(const Environment& environment, const Rule& rule, const std::string& path,

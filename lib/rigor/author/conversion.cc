@@ -322,8 +322,9 @@ class Conclusion {
 
   Conversion of(Conversion result) {
     const bool sdf = loaded_.root.format == model::Format::kUrdf;
-    return of(std::move(result), sdf ? Result::kSdf : Result::kUrdf,
-              [&](Prover& prover, const Conversion& made) { return prover.prove(loaded_, made.model); });
+    return of(
+        std::move(result), sdf ? Result::kSdf : Result::kUrdf,
+        [&](Prover& prover, const Conversion& made) { return prover.prove(loaded_, made.model); });
   }
 
   enum class Result : std::uint8_t { kSdf, kUrdf };
@@ -500,9 +501,8 @@ void settle_mjcf(const convert::FromMjcfConversion& converted, robot::Robot& rob
       on = false;
       for (const robot::Joint& joint : robot.joints) {
         const std::string& own = robot.bodies[carried].name;
-        const bool last =
-            std::find(converted.between.begin(), converted.between.end(), own) ==
-            converted.between.end();
+        const bool last = std::find(converted.between.begin(), converted.between.end(), own) ==
+                          converted.between.end();
         if (last || joint.parent != carried) continue;
         carried = joint.child;
         on = true;
@@ -520,17 +520,15 @@ void settle_mjcf(const convert::FromMjcfConversion& converted, robot::Robot& rob
 
 Conversion from_mjcf(const Environment& environment, Sources& sources, read::Workspace& workspace,
                      const read::Loaded& loaded, const convert::FromMjcfOptions& how,
-                     const ConversionOptions& options,
-                     decltype(convert::mjcf_to_urdf)& convert) {
+                     const ConversionOptions& options, decltype(convert::mjcf_to_urdf)& convert) {
   const model::Frames frames(loaded.root);
   const read::Documents documents(workspace);
   mass::MeshSurveys surveys(environment.disk, {.workers = &environment.workers});
   robot::Lookups lookups = robot::lookups_in(loaded.root, workspace, environment.resolver);
   lookups.find_mesh = rules::mesh_finder(environment.resolver, sources, surveys);
-  const convert::Source source{
-      loaded.root,         frames,      documents,
-      environment.resolver, environment.urdf, environment.workers,
-      loaded.file->path,   options.out, options.working_folder};
+  const convert::Source source{loaded.root,          frames,           documents,
+                               environment.resolver, environment.urdf, environment.workers,
+                               loaded.file->path,    options.out,      options.working_folder};
   convert::FromMjcfConversion converted = convert({source, lookups, workspace}, how);
   Conversion result;
   result.model = converted.model;
@@ -559,9 +557,8 @@ Conversion from_mjcf(const Environment& environment, Sources& sources, read::Wor
   return Conclusion(environment, sources, workspace, loaded, options)
       .of(std::move(result), converted.sdf ? Result::kSdf : Result::kUrdf,
           [&](Prover& prover, const Conversion&) {
-            return prover.prove(loaded, converted.robot, [&](robot::Robot& robot) {
-              settle_mjcf(converted, robot);
-            });
+            return prover.prove(loaded, converted.robot,
+                                [&](robot::Robot& robot) { settle_mjcf(converted, robot); });
           });
 }
 

@@ -134,13 +134,13 @@ enum class NoteKind : std::uint8_t {
   kMjcfDepth,         ///< more than `written` bodies hang on each other
   kMjcfLost,          ///< an element that MJCF has nothing for
   // From MJCF. `written` is an element and its attribute, as "geom/@solref", unless another thing is said.
-  kFromMjcfBodies,    ///< a recipe for bodies that the result lacks
+  kFromMjcfBodies,  ///< a recipe for bodies that the result lacks
   kFromMjcfTendon,
   kFromMjcfEquality,
   kFromMjcfActuator,
   kFromMjcfSensor,
   kFromMjcfContact,
-  kFromMjcfLook,      ///< lights, cameras, textures
+  kFromMjcfLook,  ///< lights, cameras, textures
   kFromMjcfSite,
   kFromMjcfDynamics,  ///< of a joint: armature, the limit's softness
   kFromMjcfSetting,   ///< of the solver, keyframes, statistics

@@ -17,7 +17,9 @@ constexpr std::string_view kMjcfSdfVersions[] = {"1.9", "1.10", "1.11"};
 class FromMjcf final : public Command {
  public:
   FromMjcf(model::Format to, std::string name)
-      : to_(to), name_(std::move(name)), common_(model::Format::kMjcf, is_urdf() ? ".urdf" : ".sdf") {}
+      : to_(to),
+        name_(std::move(name)),
+        common_(model::Format::kMjcf, is_urdf() ? ".urdf" : ".sdf") {}
 
   CLI::App* declare(CLI::App& program) override {
     const std::string out = is_urdf() ? "robot.urdf" : "model.sdf";
@@ -34,8 +36,9 @@ class FromMjcf final : public Command {
     app->add_option("--name", how_.name, "Name of the result (default: the file's)")
         ->type_name("NAME");
     app->add_option("--mesh-uri", mesh_uri_,
-                    is_urdf() ? "How mesh URIs are written: package://NAME, file or keep"
-                              : "How mesh URIs are written: model://NAME, package://NAME, file or keep")
+                    is_urdf()
+                        ? "How mesh URIs are written: package://NAME, file or keep"
+                        : "How mesh URIs are written: model://NAME, package://NAME, file or keep")
         ->type_name("HOW");
     if (is_urdf()) {
       offer(app->add_option("--urdf-version", version_, "1.1 has capsules (default: 1.0)")
@@ -74,8 +77,9 @@ class FromMjcf final : public Command {
   void set_mesh_uri(convert::FromMjcfOptions& how) const {
     using Urdf = convert::MeshUri::Kind;
     using Sdf = convert::SdfMeshUri::Kind;
-    const std::vector<std::string> schemes =
-        is_urdf() ? std::vector<std::string>{"package"} : std::vector<std::string>{"model", "package"};
+    const std::vector<std::string> schemes = is_urdf()
+                                                 ? std::vector<std::string>{"package"}
+                                                 : std::vector<std::string>{"model", "package"};
     const auto [naming, name] = mesh_naming(mesh_uri_, schemes);
     switch (naming) {
       case MeshNaming::kDefault: break;

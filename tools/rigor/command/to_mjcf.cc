@@ -38,8 +38,9 @@ class ToMjcf final : public Command {
       app->add_option("--model", how_.model, "Model to convert, if the file has several: else all")
           ->type_name("NAME");
     }
-    app->add_option("--srdf", srdf_,
-                    "SRDF whose state `home` is the keyframe, and whose disabled pairs do not touch")
+    app->add_option(
+           "--srdf", srdf_,
+           "SRDF whose state `home` is the keyframe, and whose disabled pairs do not touch")
         ->type_name("FILE");
     app->add_option("--armature", armature_,
                     "Inertia of the rotor that is added to each joint: kg·m², or kg of a slide")
@@ -65,8 +66,8 @@ class ToMjcf final : public Command {
   int run() override {
     convert::MjcfOptions how = options();
     return common_.run([this, &how](const Environment& environment, Sources& sources,
-                              read::Workspace& workspace, const read::Loaded& loaded,
-                              const author::ConversionOptions& options) {
+                                    read::Workspace& workspace, const read::Loaded& loaded,
+                                    const author::ConversionOptions& options) {
       if (!how.model.empty()) require_model(how.model, {&loaded.root});
       if (!srdf_.empty()) add_srdf(workspace, how);
       return author::to_mjcf(environment, sources, workspace, loaded, how, options);

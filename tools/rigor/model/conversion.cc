@@ -119,8 +119,8 @@ int ConversionCommand::run(const Convert& convert) const {
       read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
   if (loaded.root.format != from_ || !file.document->complete()) {
     say("rigor: " + report::printable(file.path) +
-        (file.document->complete() ? ": holds no " : ": is not well-formed ") +
-        name_of(from_) + "; run `rigor validate` for details");
+        (file.document->complete() ? ": holds no " : ": is not well-formed ") + name_of(from_) +
+        "; run `rigor validate` for details");
     return kFindings;
   }
   author::ConversionOptions options;
@@ -214,8 +214,8 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
       made ? read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
                         workspace.put(loaded.file->path + ending_, *result.text))
            : read::Loaded{};
-  const auto a = made ? files.robot(as_made, {})
-                      : files.robot(loaded, loaded.root[result.model].name.value);
+  const auto a =
+      made ? files.robot(as_made, {}) : files.robot(loaded, loaded.root[result.model].name.value);
   const auto b = files.robot(kept, {});
   if (!a || !b) return kFindings;
   robot::Correspondence names = made ? robot::Correspondence{} : result.names;

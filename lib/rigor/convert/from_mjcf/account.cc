@@ -21,8 +21,8 @@ namespace {
 /// Lists of words in one text, which a look-up goes through.
 struct Words {
   std::string_view element;
-  std::string_view both;        ///< attributes that both targets have
-  std::string_view sdf = {};    ///< that SDF has, too
+  std::string_view both;         ///< attributes that both targets have
+  std::string_view sdf = {};     ///< that SDF has, too
   std::string_view silent = {};  ///< that say nothing of the robot
   bool placed = false;           ///< by `kPlaceWords`
 };
@@ -57,8 +57,9 @@ constexpr Words kCoupling{"joint", "name class active joint1 joint2 polycoef"};
 constexpr Words kLoopWords{"", "",
                            "name class active body1 body2 anchor relpose site1 site2 objtype"};
 /// What of an actuator becomes the effort limit of its joint.
-constexpr Words kDrive{"", "name class joint jointinparent gear ctrlrange ctrllimited forcerange "
-                           "forcelimited biastype gaintype gainprm"};
+constexpr Words kDrive{"",
+                       "name class joint jointinparent gear ctrlrange ctrllimited forcerange "
+                       "forcelimited biastype gaintype gainprm"};
 
 bool has_word(std::string_view list, std::string_view word) {
   while (!list.empty()) {
@@ -156,6 +157,8 @@ class MjcfAccountant {
       ledger_.take_all(section);
     } else if (name == "default") {
       take_default(section);
+    } else if (has_word("actuator contact equality sensor tendon", name)) {
+      ledger_.take(section, Outcome::kImplied);  // what is lost of it is told one by one
     } else if (name == "asset") {
       ledger_.take(section, Outcome::kImplied);
       for (const xml::Element child : plan_.scope.tree.children(section)) {
@@ -217,7 +220,8 @@ class MjcfAccountant {
     const bool sdf = plan_.target == MjcfTarget::kSdf;
     for (const xml::Attribute attribute : element.attributes()) {
       const std::string_view name = attribute.name();
-      const bool known = has_word(words.both, name) || (words.placed && has_word(kPlaceWords, name));
+      const bool known =
+          has_word(words.both, name) || (words.placed && has_word(kPlaceWords, name));
       if (known || (sdf && has_word(words.sdf, name))) {
         ledger_.take_value(attribute.value_span(), outcome);
       } else if (has_word(words.silent, name)) {
@@ -249,9 +253,9 @@ class MjcfAccountant {
       const auto text = read::attribute_text(element, "polycoef");
       const auto numbers = text ? read::mjcf_numbers(text->text) : std::nullopt;
       if (!numbers) continue;
-      const bool curved = std::any_of(numbers->begin() + std::min<std::ptrdiff_t>(
-                                                             2, std::ssize(*numbers)),
-                                      numbers->end(), [](double c) { return c != 0; });
+      const bool curved =
+          std::any_of(numbers->begin() + std::min<std::ptrdiff_t>(2, std::ssize(*numbers)),
+                      numbers->end(), [](double c) { return c != 0; });
       if (!curved) continue;
       ledger_.take_value(text->span, Outcome::kSubstituted);
       ledger_.note({.kind = NoteKind::kFromMjcfMimic,

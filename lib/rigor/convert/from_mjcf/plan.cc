@@ -80,7 +80,9 @@ MjcfPlan::MjcfPlan(const FromMjcfSource& from, const FromMjcfOptions& how, MjcfT
   choose();
   find_locks();
   find_loops();
+  settle_balls();
   name_all();
+  name_parts();
 }
 
 void MjcfPlan::choose() {
@@ -99,9 +101,8 @@ void MjcfPlan::choose() {
   }
   const bool any = count > 0 || (world != kNoIndex && world < root().links.size());
   if (!any || (!options.body.empty() && wanted == kNoIndex)) {
-    refusals.push_back({.kind = NoteKind::kNoModel,
-                        .where = root().models[0].site.name,
-                        .written = options.body});
+    refusals.push_back(
+        {.kind = NoteKind::kNoModel, .where = root().models[0].site.name, .written = options.body});
   }
   bool on_world = false;
   std::size_t free = 0;
@@ -242,6 +243,32 @@ void MjcfPlan::name_all() {
   }
   for (MjcfLoop& loop : loops) {
     loop.name = joint_name(loop.name.empty() ? "loop" : loop.name);
+  }
+}
+
+/// The three joints that a ball becomes in URDF have its damping each; a ball of SDF has none.
+void MjcfPlan::settle_balls() {
+  for (std::size_t i = 0; i < robot.joints.size() && target == MjcfTarget::kUrdf; ++i) {
+    const model::Joint& written = root()[joint_ids[i]];
+    if (robot.joints[i].type != JointType::kBall || written.axes.empty()) continue;
+    for (robot::Axis& axis : robot.joints[i].axes) axis.damping = written.axes[0].damping.value;
+  }
+}
+
+/// libsdformat takes no name of a visual for a collision of the same link.
+void MjcfPlan::name_parts() {
+  for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
+    std::set<std::string> taken;
+    const auto name = [&](std::vector<robot::Part>& parts, const std::string& kind) {
+      for (robot::Part& part : parts) {
+        const bool stays = !part.name.empty() && !taken.contains(part.name);
+        const std::string base = part.name.empty() ? robot.bodies[i].name : part.name;
+        part.name = unique(taken, stays ? part.name : base + kind);
+      }
+    };
+    name(robot.bodies[i].visuals, "_visual");
+    if (target == MjcfTarget::kUrdf) taken.clear();
+    name(robot.bodies[i].collisions, "_collision");
   }
 }
 

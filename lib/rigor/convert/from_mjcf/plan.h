@@ -29,8 +29,8 @@ struct MjcfLoop {
   std::string name;
   model::JointType type = model::JointType::kFixed;
   std::uint32_t parent = robot::kNoIndex, child = robot::kNoIndex;  ///< bodies
-  model::Pose X_PJ, X_CJ;  ///< in the bodies' own frames
-  model::Vector3 axis;     ///< unit vector of a revolute one, in the joint frame
+  model::Pose X_PJ, X_CJ;                                           ///< in the bodies' own frames
+  model::Vector3 axis;  ///< unit vector of a revolute one, in the joint frame
   std::vector<xml::Element> elements;
 };
 
@@ -58,10 +58,11 @@ struct MjcfPlan {
   read::MjcfScope scope;
   Notes refusals;
 
-  /// As the file has it, with joints that an equality holds in place locked there. Bodies are in the order
-  /// of the root's links, then the world where it has no link.
+  /// As the file has it, with joints that an equality holds in place locked there, and with a name for each
+  /// shape that its link in the result has once. Bodies are in the order of the root's links, then the world
+  /// where it has no link; their shapes are in the order of the link's.
   robot::Robot robot;
-  std::vector<model::Id<model::Joint>> joint_ids;                 ///< of the robot's joints
+  std::vector<model::Id<model::Joint>> joint_ids;                  ///< of the robot's joints
   std::vector<std::optional<model::Id<model::Joint>>> free_joint;  ///< of each body
   std::uint32_t world = robot::kNoIndex;
   std::vector<bool> chosen;              ///< bodies that are converted, the world aside
@@ -74,7 +75,9 @@ struct MjcfPlan {
 
  private:
   void choose();
+  void settle_balls();
   void name_all();
+  void name_parts();
   void find_locks();
   void find_loops();
   std::optional<std::uint32_t> body_named(std::string_view name) const;

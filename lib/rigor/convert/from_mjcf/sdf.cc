@@ -142,6 +142,11 @@ class MjcfToSdf {
       link.inertial = inertial_of_body(body);
     } else {
       link.inertial = next_to_nothing(draft_);
+      if (body.about_com != mass::Inertia{}) {
+        const Number mass = link.inertial->mass;
+        link.inertial = inertial_of_body(body);
+        link.inertial->mass = mass;
+      }
       note(NoteKind::kFromMjcfMassless, Outcome::kSubstituted, plan_.link(i).site.name,
            model::subject(root_, plan_.link(i)), {},
            "a link of " + to_text(link.inertial->mass) + " kg");
@@ -154,35 +159,31 @@ class MjcfToSdf {
   }
 
   void add_shapes(SdfLink& link, std::uint32_t i) {
-    std::set<std::string> visuals, collisions;
-    for (const auto id : plan_.link(i).visuals) {
-      const model::Visual& visual = root_[id];
+    const robot::Body& body = plan_.robot.bodies[i];
+    for (std::size_t k = 0; k < body.visuals.size(); ++k) {
+      const model::Visual& visual = root_[plan_.link(i).visuals[k]];
       const std::string subject = model::subject(root_, visual);
       for (MjcfShape& shape : shaper_.shapes(visual.geometry, subject, MjcfUse::kVisual)) {
-        SdfShape part = part_of(std::move(shape), visual, visuals, link.name + "_visual");
+        SdfShape part = part_of(std::move(shape), visual.pose, body.visuals[k].name);
         if (visual.material.rgba) part.rest.push_back(look(*visual.material.rgba));
         link.visuals.push_back(std::move(part));
       }
     }
-    for (const auto id : plan_.link(i).collisions) {
-      const model::Collision& collision = root_[id];
+    for (std::size_t k = 0; k < body.collisions.size(); ++k) {
+      const model::Collision& collision = root_[plan_.link(i).collisions[k]];
       const std::string subject = model::subject(root_, collision);
       for (MjcfShape& shape : shaper_.shapes(collision.geometry, subject, MjcfUse::kCollision)) {
-        SdfShape part =
-            part_of(std::move(shape), collision, collisions, link.name + "_collision");
+        SdfShape part = part_of(std::move(shape), collision.pose, body.collisions[k].name);
         if (collision.surface.mu.written) part.rest.push_back(surface(collision.surface.mu.value));
         link.collisions.push_back(std::move(part));
       }
     }
   }
 
-  template <class Part>
-  SdfShape part_of(MjcfShape shape, const Part& part, std::set<std::string>& names,
-                   const std::string& fallback) const {
-    const std::string& own = part.name.value;
+  static SdfShape part_of(MjcfShape shape, const model::PoseField& pose, const std::string& name) {
     SdfShape result;
-    result.name = plan_.unique(names, (own.empty() ? fallback : own) + shape.suffix);
-    result.pose.origin = origin_of(compose(part.pose.pose.value, shape.X_GS));
+    result.name = name + shape.suffix;
+    result.pose.origin = origin_of(compose(pose.pose.value, shape.X_GS));
     result.geometry = std::move(shape.geometry);
     result.other_geometry = std::move(shape.other);
     return result;
@@ -198,8 +199,7 @@ class MjcfToSdf {
 
   static SdfElement surface(double mu) {
     SdfElement element{.name = "surface"};
-    element.at("friction/ode/mu").text = element.at("friction/ode/mu2").text =
-        to_text({mu, {}});
+    element.at("friction/ode/mu").text = element.at("friction/ode/mu2").text = to_text({mu, {}});
     return element;
   }
 
@@ -243,11 +243,14 @@ class MjcfToSdf {
   void tell_ball(const model::Joint& joint) {
     if (joint.axes.empty()) return;
     const model::Axis& axis = joint.axes[0];
-    if (axis.limit_written) {
-      ledger_.take(axis.upper, Outcome::kLost);
-      note(NoteKind::kFromMjcfLimit, Outcome::kLost, axis.upper.span,
-           model::subject(root_, joint), to_text({axis.upper.value, {}}));
-    }
+    const auto lose = [&](const model::Field<double>& field, const char* what) {
+      ledger_.take(field, Outcome::kLost);
+      note(NoteKind::kFromMjcfLimit, Outcome::kLost, field.span, model::subject(root_, joint),
+           std::string(what) + ' ' + to_text({field.value, {}}));
+    };
+    if (axis.limit_written) lose(axis.upper, "range");
+    if (axis.damping.value != 0) lose(axis.damping, "damping");
+    if (axis.friction.value != 0) lose(axis.friction, "frictionloss");
   }
 
   SdfAxis axis_of(const robot::Axis& axis) const {
@@ -275,9 +278,8 @@ class MjcfToSdf {
     if (!axis.follow) return result;
     for (std::size_t i = 0; i < plan_.robot.joints.size(); ++i) {
       if (plan_.robot.joints[i].name != axis.follow->joint) continue;
-      result.mimic = UrdfMimic{plan_.joint_names[i],
-                               {axis.follow->multiplier, {}},
-                               {axis.follow->offset, {}}};
+      result.mimic =
+          UrdfMimic{plan_.joint_names[i], {axis.follow->multiplier, {}}, {axis.follow->offset, {}}};
     }
     return result;
   }

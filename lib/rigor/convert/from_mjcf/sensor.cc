@@ -39,7 +39,8 @@ class MjcfSensorReader {
     std::map<std::string, std::vector<xml::Element>> by_site;
     for (const xml::Element element : plan_.scope.tree.in_sections("sensor")) {
       std::string site = mjcf_word(element, "site");
-      if (site.empty() && mjcf_word(element, "objtype") == "site") site = mjcf_word(element, "objname");
+      if (site.empty() && mjcf_word(element, "objtype") == "site")
+        site = mjcf_word(element, "objname");
       if (site.empty()) continue;
       if (by_site[site].empty()) order.push_back(site);
       by_site[site].push_back(element);
@@ -146,7 +147,8 @@ class MjcfSensorReader {
       const double across = 2 * std::atan(std::tan(fovy / 2) * kImageWidth / kImageHeight);
       std::string name = mjcf_word(child, "name");
       if (name.empty()) name = "camera";
-      take({child}, "a camera of " + std::to_string(kImageWidth) + " x " + std::to_string(kImageHeight));
+      take({child},
+           "a camera of " + std::to_string(kImageWidth) + " x " + std::to_string(kImageHeight));
       sensors_.of_body[body].push_back(sensor(name, "camera", X, [&](XmlWriter& out) {
         out.open("camera");
         out.text("horizontal_fov", to_text({across, {}}));
@@ -196,8 +198,7 @@ bool collides_with_itself(const MjcfPlan& plan) {
     if (i == plan.world || !plan.chosen[i]) continue;
     Masks all;
     for (const auto id : plan.link(i).collisions) {
-      const Masks one =
-          masks_of(plan, plan.source.source.documents.element(plan.root()[id].site));
+      const Masks one = masks_of(plan, plan.source.source.documents.element(plan.root()[id].site));
       all.type |= one.type;
       all.affinity |= one.affinity;
     }

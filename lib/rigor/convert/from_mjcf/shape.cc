@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <utility>
 #include <variant>
 
@@ -34,8 +33,9 @@ constexpr std::string_view kFileFolder = "meshes/";
 
 bool is_read_everywhere(const std::string& path) {
   std::string ending = extension(path);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
   if (ending.starts_with('.')) ending.erase(0, 1);
   return ending == "stl" || ending == "obj" || ending == "dae";
 }
@@ -130,8 +130,7 @@ struct MjcfShapeMaker {
   std::vector<MjcfShape> operator()(const model::Plane& /*plane*/) const {
     if (urdf()) return {};
     double x = kEndlessPlane, y = kEndlessPlane;
-    const xml::Element element =
-        shaper.plan_.source.source.documents.element(geometry.site);
+    const xml::Element element = shaper.plan_.source.source.documents.element(geometry.site);
     const auto written = read::attribute_text(element, "size");
     const auto size = written ? read::mjcf_numbers(written->text) : std::nullopt;
     if (size && size->size() >= 2) {
@@ -176,12 +175,12 @@ std::vector<MjcfShape> MjcfShaper::shapes(const model::Geometry& geometry,
     return result;
   }
   const bool plane = std::holds_alternative<model::Plane>(geometry.shape);
-  const NoteKind kind = plane                      ? NoteKind::kFromMjcfWorld
+  const NoteKind kind = plane                     ? NoteKind::kFromMjcfWorld
                         : use == MjcfUse::kVisual ? NoteKind::kShapeLost
                                                   : NoteKind::kCollisionLost;
-  ledger_.lose(geometry.site, {.kind = kind,
-                               .subject = subject,
-                               .written = std::string(shape_name(geometry.shape))});
+  ledger_.lose(
+      geometry.site,
+      {.kind = kind, .subject = subject, .written = std::string(shape_name(geometry.shape))});
   return {};
 }
 
@@ -190,11 +189,7 @@ std::string MjcfShaper::uri_of(const model::Field<std::string>& uri,
                                const std::string& subject) const {
   model::Field<std::string> field = uri;
   const std::string path = plan_.source.lookups.find_file(uri.value, uri.span.source);
-  if (!path.empty() && !is_absolute(path)) {
-    field.value = relative_path(parent_path(plan_.source.source.path), path);
-  } else if (!path.empty()) {
-    field.value = path;
-  }
+  if (!path.empty()) field.value = relative_path(parent_path(plan_.source.source.path), path);
   return urdf_ != nullptr ? urdf_uri(*urdf_, field, subject) : sdf_uri(*sdf_, field, subject);
 }
 
@@ -211,8 +206,7 @@ std::optional<std::string> MjcfShaper::mesh_file(const model::Mesh& shape,
     if (!written.bytes) return std::nullopt;
     return put("inline " + *written.bytes, stem, *std::move(written.bytes));
   }
-  const std::string path =
-      plan_.source.lookups.find_file(shape.uri.value, shape.uri.span.source);
+  const std::string path = plan_.source.lookups.find_file(shape.uri.value, shape.uri.span.source);
   if (path.empty() || is_read_everywhere(path)) return std::string();
   if (!writes()) return std::nullopt;
   const Disk& disk = plan_.source.source.resolver.disk();

@@ -101,9 +101,10 @@ class MjcfToUrdf {
     draft_.link_names[Id<model::Link>{i}] = name_of(i);
     result_.links.emplace(body.name, name_of(i));
     UrdfLink link{.name = name_of(i)};
-    if (body.mass.mass > 0) {
-      link.inertial = UrdfInertial{
-          origin_of({body.mass.com, {}}), {body.mass.mass, {}}, tensor_entries(body.mass.about_com)};
+    if (body.mass != mass::MassProperties{}) {
+      link.inertial = UrdfInertial{origin_of({body.mass.com, {}}),
+                                   {body.mass.mass, {}},
+                                   tensor_entries(body.mass.about_com)};
     }
     add_shapes(link, i);
     draft_.robot.links.push_back(std::move(link));
@@ -117,7 +118,7 @@ class MjcfToUrdf {
       const model::Visual& visual = root[link.visuals[k]];
       for (MjcfShape& shape :
            shaper_.shapes(visual.geometry, model::subject(root, visual), MjcfUse::kVisual)) {
-        UrdfVisual part{.name = part_name(visual.name.value, shape.suffix),
+        UrdfVisual part{.name = body.visuals[k].name + shape.suffix,
                         .origin = origin_of(compose(body.visuals[k].X_BS, shape.X_GS)),
                         .geometry = std::move(shape.geometry)};
         if (visual.material.rgba) part.material = color_named(*visual.material.rgba);
@@ -129,15 +130,11 @@ class MjcfToUrdf {
       for (MjcfShape& shape : shaper_.shapes(collision.geometry, model::subject(root, collision),
                                              MjcfUse::kCollision)) {
         result.collisions.push_back(
-            {.name = part_name(collision.name.value, shape.suffix),
+            {.name = body.collisions[k].name + shape.suffix,
              .origin = origin_of(compose(body.collisions[k].X_BS, shape.X_GS)),
              .geometry = std::move(shape.geometry)});
       }
     }
-  }
-
-  static std::string part_name(const std::string& name, const std::string& suffix) {
-    return name.empty() ? name : name + suffix;
   }
 
   std::string color_named(const std::array<double, 4>& rgba) {
@@ -268,9 +265,8 @@ class MjcfToUrdf {
     if (axis.follow) {
       for (std::size_t i = 0; i < plan_.robot.joints.size(); ++i) {
         if (plan_.robot.joints[i].name != axis.follow->joint) continue;
-        result.mimic = UrdfMimic{plan_.joint_names[i],
-                                 {axis.follow->multiplier, {}},
-                                 {axis.follow->offset, {}}};
+        result.mimic = UrdfMimic{
+            plan_.joint_names[i], {axis.follow->multiplier, {}}, {axis.follow->offset, {}}};
       }
     }
     add_spring(result.name, axis);
