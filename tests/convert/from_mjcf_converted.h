@@ -3,7 +3,7 @@
 //
 // An MJCF in memory converted to URDF or SDF, and the elements of the result, for tests.
 //
-//   FromMjcf arm("<body name='base'>…</body>", Target::kUrdf);
+//   FromMjcf arm("<body name='base'>…</body>", ResultFormat::kUrdf);
 //   EXPECT_EQ(arm.attribute("joint", "elbow", "type"), "revolute");
 
 #pragma once
@@ -22,12 +22,12 @@
 
 namespace rigor::test {
 
-enum class Target : bool { kUrdf, kSdf };
+enum class ResultFormat : bool { kUrdf, kSdf };
 
 class FromMjcf {
  public:
   /// What stands in the world, or a whole file.
-  FromMjcf(const std::string& text, Target target, const convert::FromMjcfOptions& how = {},
+  FromMjcf(const std::string& text, ResultFormat target, const convert::FromMjcfOptions& how = {},
            std::map<std::string, std::string> files = {},
            author::Losses losses = author::Losses::kAllowed)
       : disk_(with(std::move(files), whole(text))),
@@ -35,9 +35,10 @@ class FromMjcf {
         workspace_(environment_.resolver, sources_),
         loaded_(read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf},
                            workspace_.open("in/robot.xml"))),
-        result((target == Target::kUrdf ? author::from_mjcf_to_urdf : author::from_mjcf_to_sdf)(
-            environment_, sources_, workspace_, loaded_, how,
-            {.losses = losses, .out = "in/robot.out"})) {
+        result((target == ResultFormat::kUrdf
+                    ? author::from_mjcf_to_urdf
+                    : author::from_mjcf_to_sdf)(environment_, sources_, workspace_, loaded_, how,
+                                                {.losses = losses, .out = "in/robot.out"})) {
     if (result.text) document_ = xml::parse(*result.text, {});
   }
 

@@ -54,7 +54,7 @@ bool loss_alone_keeps_from_writing(const author::Conversion& result) {
          });
 }
 
-std::string name_of(model::Format format) {
+std::string format_word(model::Format format) {
   return format == model::Format::kSdf ? "SDF" : format == model::Format::kUrdf ? "URDF" : "MJCF";
 }
 
@@ -119,7 +119,7 @@ int ConversionCommand::run(const Convert& convert) const {
       read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
   if (loaded.root.format != from_ || !file.document->complete()) {
     say("rigor: " + report::printable(file.path) +
-        (file.document->complete() ? ": holds no " : ": is not well-formed ") + name_of(from_) +
+        (file.document->complete() ? ": holds no " : ": is not well-formed ") + format_word(from_) +
         "; run `rigor validate` for details");
     return kFindings;
   }
