@@ -137,6 +137,8 @@ class MjcfAccountant {
       if (workspace.disk().kind(path) != PathKind::kFile) continue;
       const read::File& inner = workspace.open(path);
       if (!inner.document || !inner.document->complete() || !inner.document->root()) continue;
+      // One that no body attaches was not read.
+      if (!plan_.source.source.documents.hold(inner.source)) continue;
       read::MjcfFacts of_its_own;
       const read::MjcfTree attached(workspace, inner, of_its_own);
       ledger_.open(read::site_of(attached.root()));

@@ -152,6 +152,12 @@ std::optional<Pose> MjcfPlan::site_pose(std::string_view name, std::uint32_t& bo
   return std::nullopt;
 }
 
+/// The world's is the world.
+std::uint32_t MjcfPlan::root_of(std::uint32_t body) const {
+  while (body != world && body != kNoIndex && is_carried(body)) body = parent_of(body);
+  return body;
+}
+
 /// Both anchors of a pair of `connect` on one axis are those of a hinge.
 void MjcfPlan::find_loops() {
   const auto pose_of = [this](std::uint32_t body) {
@@ -200,7 +206,9 @@ void MjcfPlan::find_loops() {
     const auto is_there = [this](std::uint32_t body) {
       return body == world || body == kNoIndex || chosen[body];
     };
+    // Two trees that a constraint connects are no loop.
     if (!hangs(loop.child) || loop.child == loop.parent) continue;
+    if (root_of(loop.parent) != root_of(loop.child)) continue;
     if (!is_there(loop.parent) || !is_there(loop.child)) continue;
     MjcfLoop* last = loops.empty() ? nullptr : &loops.back();
     const bool pairs = last != nullptr && !weld && last->type == JointType::kBall &&

@@ -80,6 +80,7 @@ struct MjcfPlan {
   void name_parts();
   void find_locks();
   void find_loops();
+  std::uint32_t root_of(std::uint32_t body) const;
   std::optional<std::uint32_t> body_named(std::string_view name) const;
   std::optional<model::Pose> site_pose(std::string_view name, std::uint32_t& body) const;
 };

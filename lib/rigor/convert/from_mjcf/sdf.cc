@@ -50,7 +50,7 @@ class MjcfToSdf {
         draft_{.source = plan.source.source, .options = plan.options.sdf, .ledger = ledger},
         shaper_(plan, ledger, nullptr, &draft_),
         sensors_(mjcf_to_sdf_sensors(plan, ledger)) {
-    draft_.next_to_nothing = mjcf_massless_link(plan.robot);
+    draft_.next_to_nothing = massless_link_mass(plan.robot);
   }
 
   void build() {

@@ -225,13 +225,16 @@ std::vector<bool> fixed_to_world(const Robot& robot, std::uint32_t world) {
   return fixed;
 }
 
-double mjcf_massless_link(const robot::Robot& robot) {
+double massless_link_mass(const robot::Robot& robot) {
   double total = 0;
   for (const robot::Body& body : robot.bodies) total += std::max(body.mass.mass, 0.0);
   if (!(total > 0) || !std::isfinite(total)) total = kWeightlessRobot;
   const auto count = static_cast<double>(std::max<std::size_t>(robot.bodies.size(), 1));
-  return std::max(std::pow(10, std::floor(std::log10(kMasslessShare * total / count))),
-                  kMinMasslessLink);
+  return std::pow(10, std::floor(std::log10(kMasslessShare * total / count)));
+}
+
+double mjcf_massless_link(const robot::Robot& robot) {
+  return std::max(massless_link_mass(robot), kMinMasslessLink);
 }
 
 }  // namespace rigor::convert
