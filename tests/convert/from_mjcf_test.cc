@@ -27,9 +27,20 @@ TEST(FromMjcf, ABodyOnTheWorldHangsOnIt) {
   EXPECT_EQ(urdf.at("joint", "base_fixed", "parent/@link"), "world");
   EXPECT_EQ(urdf.at("joint", "base_fixed", "origin/@xyz"), "0 0 1");
   EXPECT_EQ(urdf.against(), Names{});
-  const FromMjcf sdf(body("base", "", "pos='0 0 1'"), ResultFormat::kSdf);
+  const FromMjcf sdf(body("base", "", "pos='0 0 1'") + body("post", body("arm", "<joint/>")),
+                     ResultFormat::kSdf);
   EXPECT_EQ(sdf.at("joint", "base_fixed", "parent"), "world");
   EXPECT_EQ(sdf.at("link", "base", "pose"), "0 0 1 0 0 0");
+  EXPECT_EQ(sdf.against(), Names{});
+}
+
+TEST(FromMjcf, WhatNeverMovesIsStatic) {
+  const FromMjcf sdf("<geom type='plane' size='1 1 1'/>" +
+                         body("base", body("top", "", "pos='0 0 2'"), "pos='0 0 1'"),
+                     ResultFormat::kSdf);
+  EXPECT_EQ(sdf.all("static").size(), 1U);
+  EXPECT_EQ(sdf.all("joint").size(), 1U);
+  EXPECT_EQ(sdf.at("joint", "top_fixed", "parent"), "base");
   EXPECT_EQ(sdf.against(), Names{});
 }
 
@@ -175,6 +186,15 @@ TEST(FromMjcf, AConnectClosesALoopInSdf) {
   const FromMjcf urdf(text, ResultFormat::kUrdf);
   EXPECT_EQ(urdf.of_rule("convert-from-mjcf-loop").size(), 1U);
   EXPECT_EQ(urdf.against(), Names{});
+}
+
+TEST(FromMjcf, AConstraintBetweenTwoTreesIsNoLoop) {
+  const FromMjcf sdf("<mujoco><worldbody>" + body("a", "<freejoint/>") + body("b", "<freejoint/>") +
+                         "</worldbody><equality><weld body1='a' body2='b'/></equality></mujoco>",
+                     ResultFormat::kSdf);
+  EXPECT_TRUE(sdf.all("joint").empty());
+  EXPECT_EQ(sdf.of_rule("convert-from-mjcf-equality").size(), 1U);
+  EXPECT_EQ(sdf.against(), Names{});
 }
 
 TEST(FromMjcf, TwoConnectsOnAnAxisAreAHinge) {

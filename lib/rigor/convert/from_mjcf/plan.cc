@@ -99,11 +99,6 @@ void MjcfPlan::choose() {
     if (i != world) ++count;
     if (top[i] != kNoIndex && robot.bodies[i].name == options.body) wanted = top[i];
   }
-  const bool any = count > 0 || (world != kNoIndex && world < root().links.size());
-  if (!any || (!options.body.empty() && wanted == kNoIndex)) {
-    refusals.push_back(
-        {.kind = NoteKind::kNoModel, .where = root().models[0].site.name, .written = options.body});
-  }
   bool on_world = false;
   std::size_t free = 0;
   chosen.assign(robot.bodies.size(), false);
@@ -113,9 +108,18 @@ void MjcfPlan::choose() {
     if (!is_carried(i)) ++free;
     on_world |= is_carried(i) && parent_of(i) == world;
   }
+  is_static = target == MjcfTarget::kSdf && free == 0;
+  for (const robot::Joint& joint : robot.joints) {
+    is_static &= joint.type == JointType::kFixed || !chosen[joint.child];
+  }
   const bool has_shapes = world < root().links.size() &&
                           !(link(world).visuals.empty() && link(world).collisions.empty());
   const bool wants = options.surroundings != SurroundingsPolicy::kDrop && options.body.empty();
+  const bool any = count > 0 || (has_shapes && wants);
+  if (!any || (!options.body.empty() && wanted == kNoIndex)) {
+    refusals.push_back(
+        {.kind = NoteKind::kNoModel, .where = root().models[0].site.name, .written = options.body});
+  }
   const bool room = target == MjcfTarget::kSdf || on_world || free != 1;
   shows_world = has_shapes && wants && room;
 }
@@ -323,7 +327,10 @@ robot::Robot expected_robot(const MjcfPlan& plan) {
     joint.X_PJ = robot.bodies[i].X_MB;
     joints.push_back(std::move(joint));
   }
-  if (sdf) {
+  if (plan.is_static) {
+    std::erase_if(joints, [&](const robot::Joint& joint) { return joint.parent == world_at; });
+    if (plan.shows_world) bodies.push_back(ground);
+  } else if (sdf) {
     for (const MjcfLoop& loop : plan.loops) {
       on_world |= loop.parent == plan.world || loop.parent == kNoIndex;
     }

@@ -67,6 +67,7 @@ struct MjcfPlan {
   std::uint32_t world = robot::kNoIndex;
   std::vector<bool> chosen;              ///< bodies that are converted, the world aside
   bool shows_world = false;              ///< whether the shapes of the world are converted
+  bool is_static = false;                ///< SDF: whether nothing of it ever moves
   std::vector<std::string> link_names;   ///< in the result, by body
   std::vector<std::string> joint_names;  ///< in the result, by joint of the robot
   std::set<std::string> taken_links, taken_joints;  ///< one set in SDF: `taken_links`

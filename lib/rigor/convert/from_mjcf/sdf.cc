@@ -58,6 +58,7 @@ class MjcfToSdf {
     robot.name = sdf_name(plan_.options.name.empty() ? plan_.robot.name : plan_.options.name);
     robot.version = version();
     if (collides_with_itself(plan_)) robot.settings.push_back(text_element("self_collide", "true"));
+    if (plan_.is_static) robot.settings.push_back(text_element("static", "true"));
     for (std::uint32_t i = 0; i < plan_.robot.bodies.size(); ++i) {
       if (i == plan_.world || !plan_.chosen[i]) continue;
       result_.links.emplace(plan_.robot.bodies[i].name, plan_.link_names[i]);
@@ -66,10 +67,13 @@ class MjcfToSdf {
         continue;
       }
       add_link(i);
-      if (plan_.is_carried(i)) add_joint(plan_.robot.bodies[i].carrier);
+      const bool stands = plan_.is_static && plan_.parent_of(i) == plan_.world;
+      if (plan_.is_carried(i) && !stands) add_joint(plan_.robot.bodies[i].carrier);
     }
     if (plan_.shows_world) add_surroundings();
-    for (const MjcfLoop& loop : plan_.loops) add_loop(loop);
+    for (const MjcfLoop& loop : plan_.loops) {
+      if (!plan_.is_static) add_loop(loop);
+    }
     add_sites();
     result_.files = std::move(shaper_).files();
     result_.sdf = std::move(draft_.robot);
@@ -208,6 +212,7 @@ class MjcfToSdf {
     link.inertial = next_to_nothing(draft_);
     add_shapes(link, plan_.world);
     draft_.robot.parts.emplace_back(std::move(link));
+    if (plan_.is_static) return;
     SdfJoint joint{.name = std::string(kSurroundings) + "_joint", .type = "fixed"};
     joint.parent = robot::kWorldBody;
     joint.child = kSurroundings;

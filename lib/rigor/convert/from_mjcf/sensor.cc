@@ -53,6 +53,18 @@ class MjcfSensorReader {
   }
 
  private:
+  /// That no shape and no other sensor of the link has.
+  std::string name_in(std::uint32_t body, const std::string& name) {
+    const auto [taken, first] = taken_.try_emplace(body);
+    if (first) {
+      for (const auto* parts :
+           {&plan_.robot.bodies[body].visuals, &plan_.robot.bodies[body].collisions}) {
+        for (const robot::Part& part : *parts) taken->second.insert(part.name);
+      }
+    }
+    return plan_.unique(taken->second, name);
+  }
+
   struct Placed {
     std::uint32_t body;
     Pose X_LS;
@@ -85,12 +97,13 @@ class MjcfSensorReader {
     if (!inertial.empty()) {
       inertial.insert(inertial.end(), orientation.begin(), orientation.end());
       take(inertial, "an imu");
-      sensors_.of_body[placed->body].push_back(sensor(site, "imu", placed->X_LS));
+      sensors_.of_body[placed->body].push_back(
+          sensor(name_in(placed->body, site), "imu", placed->X_LS));
     }
     if (!magnetic.empty()) {
       take(magnetic, "a magnetometer");
-      const std::string name = inertial.empty() ? site : site + "_magnetometer";
-      sensors_.of_body[placed->body].push_back(sensor(name, "magnetometer", placed->X_LS));
+      sensors_.of_body[placed->body].push_back(
+          sensor(name_in(placed->body, site), "magnetometer", placed->X_LS));
     }
     if (wrench.empty() || !plan_.is_carried(placed->body)) return;
     take(wrench, "a force_torque sensor");
@@ -146,7 +159,7 @@ class MjcfSensorReader {
                              inverse(Pose{{}, kFromCameraOfSdf}));
       const double across = 2 * std::atan(std::tan(fovy / 2) * kImageWidth / kImageHeight);
       std::string name = mjcf_word(child, "name");
-      if (name.empty()) name = "camera";
+      name = name_in(body, name.empty() ? "camera" : name);
       take({child},
            "a camera of " + std::to_string(kImageWidth) + " x " + std::to_string(kImageHeight));
       sensors_.of_body[body].push_back(sensor(name, "camera", X, [&](XmlWriter& out) {
@@ -164,6 +177,7 @@ class MjcfSensorReader {
   const MjcfPlan& plan_;
   Ledger& ledger_;
   MjcfSensors sensors_;
+  std::map<std::uint32_t, std::set<std::string>> taken_;
 };
 
 struct Masks {
