@@ -78,7 +78,7 @@ TEST_F(MjcfCli, WritesUrdfAndSdfOfMjcf) {
   EXPECT_EQ(urdf.exit, 0) << urdf.err;
   EXPECT_NE(urdf.err.find("20 joint positions"), std::string::npos) << urdf.err;
   EXPECT_NE(folder.get("arm.urdf").find("<robot name=\"robot\">"), std::string::npos);
-  EXPECT_TRUE(exists("ellipsoid-0.1-0.2-0.3.stl"));
+  EXPECT_TRUE(exists("ellipsoid-0.1x0.2x0.3.stl"));
   const Ran sdf = folder.rigor("mjcf2sdf arm.xml");
   EXPECT_EQ(sdf.exit, 0) << sdf.err;
   EXPECT_NE(sdf.out.find("<ellipsoid>"), std::string::npos) << sdf.out;
@@ -97,6 +97,7 @@ TEST_F(MjcfCli, KeepsTheSceneAndTheMeshesOfAnotherRobot) {
   const auto tetrahedron = [](const std::string& top) {
     return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 " + top + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   };
+  folder.put("out/keep", "");
   folder.put("one/a.obj", tetrahedron("1"));
   folder.put("one/m.sdf", arm("revolute", mesh));
   folder.put("two/a.obj", tetrahedron("2"));

@@ -115,8 +115,8 @@ class FromMjcf final : public Command {
       how.surroundings = convert::SurroundingsPolicy::kDrop;
     }
     how.urdf.shapes = convert::ShapePolicy::kMesh;
-    how.files =
-        common_.writes_file() ? convert::FromMjcfFiles::kWritten : convert::FromMjcfFiles::kNone;
+    const bool files = common_.writes_file() || common_.compares_file();
+    how.files = files ? convert::FromMjcfFiles::kWritten : convert::FromMjcfFiles::kNone;
     return how;
   }
 

@@ -38,6 +38,7 @@ class ConversionCommand {
 
   /// Whether there is a folder that further files may be written to.
   bool writes_file() const { return !out_.empty(); }
+  bool compares_file() const { return !check_.empty(); }
   bool allows_loss() const { return allow_loss_; }
   /// The result's name without folder and ending; "robot" where it goes to stdout.
   std::string stem() const;
