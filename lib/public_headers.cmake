@@ -62,6 +62,7 @@ set(rigor_public_headers
   rigor/robot/compare.h
   rigor/robot/lookups.h
   rigor/robot/robot.h
+  rigor/convert/from_mjcf.h
   rigor/convert/ledger.h
   rigor/convert/mjcf/element.h
   rigor/convert/note.h

@@ -67,5 +67,64 @@ TEST_F(MjcfCli, SameBytesGiveTheSameBytes) {
   EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf").out, folder.rigor("sdf2mjcf arm.sdf").out);
 }
 
+constexpr const char* kMjcfArm = R"(<mujoco model="arm"><compiler angle="radian"/><worldbody>
+  <body name="base" pos="0 0 1"><freejoint/><geom name="foot" type="box" size=".1 .1 .1"/>
+    <body name="tip" pos="0 0 .5"><joint name="elbow" axis="0 0 1" range="-1 1"/>
+      <geom name="ball" type="ellipsoid" size=".1 .2 .3"/></body></body></worldbody></mujoco>)";
+
+TEST_F(MjcfCli, WritesUrdfAndSdfOfMjcf) {
+  folder.put("arm.xml", kMjcfArm);
+  const Ran urdf = folder.rigor("mjcf2urdf arm.xml -o arm.urdf --name robot");
+  EXPECT_EQ(urdf.exit, 0) << urdf.err;
+  EXPECT_NE(urdf.err.find("20 joint positions"), std::string::npos) << urdf.err;
+  EXPECT_NE(folder.get("arm.urdf").find("<robot name=\"robot\">"), std::string::npos);
+  EXPECT_TRUE(exists("ellipsoid-0.1x0.2x0.3.stl"));
+  const Ran sdf = folder.rigor("mjcf2sdf arm.xml");
+  EXPECT_EQ(sdf.exit, 0) << sdf.err;
+  EXPECT_NE(sdf.out.find("<ellipsoid>"), std::string::npos) << sdf.out;
+  EXPECT_EQ(folder.rigor("mjcf2urdf arm.xml --check arm.urdf").exit, 0);
+  EXPECT_EQ(folder.rigor("mjcf2sdf arm.xml --model leg").exit, 1);
+  const Ran wrong = folder.rigor("mjcf2sdf arm.sdf");
+  EXPECT_EQ(wrong.exit, 1);
+  EXPECT_NE(wrong.err.find("holds no MJCF"), std::string::npos) << wrong.err;
+}
+
+TEST_F(MjcfCli, KeepsTheSceneAndTheMeshesOfAnotherRobot) {
+  const std::string mesh =
+      "<link name='hull'><inertial><mass>1</mass></inertial><collision name='c'>"
+      "<geometry><mesh><uri>a.obj</uri></mesh></geometry></collision></link>"
+      "<joint name='w' type='fixed'><parent>tip</parent><child>hull</child></joint>";
+  const auto tetrahedron = [](const std::string& top) {
+    return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 " + top + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  };
+  folder.put("out/keep", "");
+  folder.put("one/a.obj", tetrahedron("1"));
+  folder.put("one/m.sdf", arm("revolute", mesh));
+  folder.put("two/a.obj", tetrahedron("2"));
+  folder.put("two/m.sdf", arm("revolute", mesh));
+  EXPECT_EQ(folder.rigor("sdf2mjcf one/m.sdf -o out/one.xml").exit, 0);
+  const std::string scene = folder.get("out/scene.xml");
+  const Ran refused = folder.rigor("sdf2mjcf two/m.sdf -o out/two.xml");
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_NE(refused.err.find("is another mesh"), std::string::npos) << refused.err;
+  EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf -o out/three.xml").exit, 0);
+  EXPECT_EQ(folder.get("out/scene.xml"), scene);
+  EXPECT_NE(folder.get("out/three_scene.xml").find("three.xml"), std::string::npos);
+  EXPECT_EQ(folder.rigor("sdf2mjcf one/m.sdf -o out/one.xml").exit, 0);
+}
+
+TEST_F(MjcfCli, AnSrdfGivesTheKeyframeAndThePairsThatDoNotTouch) {
+  folder.put("arm.srdf",
+             "<robot name='arm'><group name='g'><joint name='elbow'/></group>"
+             "<group_state name='other' group='g'><joint name='elbow' value='-.5'/></group_state>"
+             "<group_state name='home' group='g'><joint name='elbow' value='.25'/></group_state>"
+             "<disable_collisions link1='tip' link2='base' reason='Adjacent'/></robot>");
+  const Ran ran = folder.rigor("sdf2mjcf arm.sdf --srdf arm.srdf");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.out.find("<exclude body1=\"base\" body2=\"tip\"/>"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find(" 0.25\""), std::string::npos) << ran.out;
+  EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf --srdf arm.sdf").exit, 2);
+}
+
 }  // namespace
 }  // namespace rigor::test

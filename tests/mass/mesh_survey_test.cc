@@ -57,6 +57,18 @@ TEST(MeshSurvey, WhatIsNoSolidHasItsHull) {
   EXPECT_NEAR(body.solid->volume, 1, 1e-14);
 }
 
+/// MuJoCo weighs such a file so; to others it holds nothing.
+TEST(MeshSurvey, VerticesWithoutFacesHaveTheirHullAlone) {
+  MemoryDisk disk;
+  disk.put("m.obj",
+           "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 1 0\nv 0 0 3\nv 2 0 3\nv 0 1 3\nv 2 1 3\nv 1 .5 1\n");
+  const MeshSurvey found = survey_mesh(disk, {"m.obj"});
+  EXPECT_FALSE(found.usable());
+  ASSERT_TRUE(found.hull);
+  EXPECT_NEAR(std::abs(found.hull->volume), 6, 1e-14);
+  EXPECT_FALSE(body_of(found, {1, 1, 1}).solid);
+}
+
 TEST(MeshSurvey, States) {
   const auto state = [](const mesh::TriangleMesh& mesh) {
     return body_of(survey(mesh), {1, 1, 1}).state;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -30,6 +31,11 @@ struct Checked {
   ValidateResult result;
 };
 
+/// Of the rules on MJCF, those that a conversion to URDF breaks.
+constexpr std::string_view kFromMjcfToUrdf[] = {"convert-from-mjcf-loop", "convert-from-mjcf-root",
+                                                "convert-from-mjcf-free",
+                                                "convert-from-mjcf-world"};
+
 /// Converts a model to the other format, or to MJCF for a rule on that.
 Diagnostics converted(const Environment& environment, const Rule& rule, const std::string& path,
                       Sources& sources) {
@@ -39,6 +45,12 @@ Diagnostics converted(const Environment& environment, const Rule& rule, const st
   const author::ConversionOptions options{.out = "out/" + path};
   if (rule.name.starts_with("convert-mjcf-")) {
     return author::to_mjcf(environment, sources, workspace, loaded, {}, options).diagnostics;
+  }
+  if (loaded.root.format == model::Format::kMjcf) {
+    const bool urdf = std::find(std::begin(kFromMjcfToUrdf), std::end(kFromMjcfToUrdf),
+                                rule.name) != std::end(kFromMjcfToUrdf);
+    const auto convert = urdf ? author::from_mjcf_to_urdf : author::from_mjcf_to_sdf;
+    return convert(environment, sources, workspace, loaded, {}, options).diagnostics;
   }
   if (loaded.root.format == model::Format::kUrdf) {
     return author::to_sdf(environment, sources, workspace, loaded, {}, options).diagnostics;

@@ -31,7 +31,7 @@ constexpr std::string_view kGreeting =
   validate, report         check files and folders; a page about many models for a team
   inspect, render, view    tree, poses and masses; pictures without a window; a page to turn it
   inertia, mesh-check      mass and inertia, exactly; check, repair, reduce and convert meshes
-  sdf2urdf, urdf2sdf       convert, with an account of every loss; sdf2mjcf, urdf2mjcf for MuJoCo
+  sdf2urdf, urdf2sdf       convert, with an account of every loss; sdf2mjcf, mjcf2urdf … for MuJoCo
   diff, upgrade, fmt       what differs between robots; a newer SDF of the same robot; one layout
   simulate, merge          drop it, drive it, sweep its joints: a verdict; join sharded runs
   new, init                a robot to begin with, done right and explained; a rigor.toml
@@ -84,6 +84,8 @@ constexpr CommandEntry kCommands[] = {
     {"urdf2sdf", urdf2sdf_command},
     {"sdf2mjcf", sdf2mjcf_command},
     {"urdf2mjcf", urdf2mjcf_command},
+    {"mjcf2sdf", mjcf2sdf_command},
+    {"mjcf2urdf", mjcf2urdf_command},
     {"diff", diff_command},
     {"simulate", simulate_command},
     {"render", render_command},

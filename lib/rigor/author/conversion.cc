@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -85,6 +86,9 @@ Note note_of(const Difference& difference) {
                                  value_text(difference.to, difference.unit))};
 }
 
+/// What is done to the robot of a result before it is compared.
+using Settle = std::function<void(robot::Robot&)>;
+
 /// Both sides of a proof look files up from where they stand.
 class Prover {
  public:
@@ -100,7 +104,11 @@ class Prover {
   /// What is not the same though no note has told so.
   Notes prove(const read::Loaded& source, model::Id<model::Model> model) {
     const model::Frames frames(source.root);
-    const robot::Robot before = robot::robot_of(source.root, frames, model, lookups(source.root));
+    return prove(source, robot::robot_of(source.root, frames, model, lookups(source.root)), {});
+  }
+
+  /// `before` is what the result should be; `settle` takes from the result what was added by choice.
+  Notes prove(const read::Loaded& source, const robot::Robot& before, const Settle& settle) {
     const read::File& file = workspace_.put(options_.out, *result_.text);
     const read::Loaded written =
         read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf}, file);
@@ -109,12 +117,13 @@ class Prover {
       return {
           {.kind = NoteKind::kRefused, .where = source.root.site.tag, .written = "no model in it"}};
     }
-    const robot::Robot after = robot::robot_of(written.root, written_frames,
-                                               model::Id<model::Model>{0}, lookups(written.root));
+    robot::Robot after = robot::robot_of(written.root, written_frames, model::Id<model::Model>{0},
+                                         lookups(written.root));
+    if (settle) settle(after);
     const ReportedDifferences reported(source.root, result_.account.notes);
     Notes notes = differences(before, after, reported);
     if (written.root.format == model::Format::kUrdf)
-      ask_urdfdom(source, before, after, reported, notes);
+      ask_urdfdom(source, before, after, reported, settle, notes);
     return notes;
   }
 
@@ -183,14 +192,22 @@ class Prover {
       // Readers of one format disagree on colors: two materials of one name, a script and a color.
       if (difference.kind == DifferenceKind::kColor || reported.include(difference)) continue;
       if (difference.b.empty() && left_out.contains(difference.a)) continue;
+      if (difference.kind == DifferenceKind::kMesh && is_side_file(difference.to.text)) continue;
       notes.push_back(note_of(difference));
     }
     return notes;
   }
 
+  /// A mesh that is written beside the result, when that is.
+  bool is_side_file(const std::string& mesh) const {
+    return std::any_of(result_.files.begin(), result_.files.end(),
+                       [&mesh](const auto& file) { return mesh.ends_with(file.name); });
+  }
+
   /// The parser that everything in ROS reads URDF with.
   void ask_urdfdom(const read::Loaded& source, const robot::Robot& before,
-                   const robot::Robot& after, const ReportedDifferences& reported, Notes& notes) {
+                   const robot::Robot& after, const ReportedDifferences& reported,
+                   const Settle& settle, Notes& notes) {
     convert::UrdfdomVerdict verdict =
         convert::judge_by_urdfdom(*result_.text, environment_.workers);
     if (!verdict.asked) return;
@@ -202,6 +219,7 @@ class Prover {
     }
     if (!notes.empty()) return;  // it would say the same once more
     look_up_files(*verdict.robot);
+    if (settle) settle(*verdict.robot);
     const bool misses_capsules = has_capsule(after) && !has_capsule(*verdict.robot);
     notes = differences(before, *verdict.robot, reported,
                         misses_capsules ? beside_capsules(before) : std::set<std::string>());
@@ -303,10 +321,19 @@ class Conclusion {
         options_(options) {}
 
   Conversion of(Conversion result) {
+    const bool sdf = loaded_.root.format == model::Format::kUrdf;
+    return of(
+        std::move(result), sdf ? Result::kSdf : Result::kUrdf,
+        [&](Prover& prover, const Conversion& made) { return prover.prove(loaded_, made.model); });
+  }
+
+  enum class Result : std::uint8_t { kSdf, kUrdf };
+
+  template <class Prove>
+  Conversion of(Conversion result, Result format, const Prove& prove) {
     const rules::Runner runner = runner_for(result);
     find(runner, result);
-    if (result.text && options_.proof == Proof::kVerify &&
-        loaded_.root.format == model::Format::kUrdf) {
+    if (result.text && options_.proof == Proof::kVerify && format == Result::kSdf) {
       SdfJudge judge(environment_, sources_, workspace_, loaded_);
       result.diagnostics.take(
           runner.run(environment_, sources_, loaded_, judge.judge(options_.out, *result.text)));
@@ -314,7 +341,7 @@ class Conclusion {
     }
     if (result.text && options_.proof == Proof::kVerify) {
       Prover prover(environment_, sources_, workspace_, options_, result);
-      const Notes found = prover.prove(loaded_, result.model);
+      const Notes found = prove(prover, result);
       // A proof that fails is no property of the source, and no comment there refers to it.
       result.diagnostics.take(runner.run(environment_, sources_, loaded_, found));
       result.diagnostics.sort();
@@ -454,6 +481,100 @@ Conversion to_mjcf(const Environment& environment, Sources& sources, read::Works
   result.names.held_by = std::move(converted.held_by);
   return Conclusion(environment, sources, workspace, loaded, options)
       .proved(std::move(result), proof);
+}
+
+namespace {
+
+/// As the result is but for what was chosen: links between joints have no mass, what they carry has it; joints
+/// that close loops, which the expected robot lacks, are left out.
+void settle_mjcf(const convert::FromMjcfConversion& converted, robot::Robot& robot) {
+  const auto index_of = [&robot](const std::string& name) {
+    std::uint32_t i = 0;
+    while (i < robot.bodies.size() && robot.bodies[i].name != name) ++i;
+    return i;
+  };
+  for (const std::string& name : converted.between) {
+    const std::uint32_t between = index_of(name);
+    if (between == robot.bodies.size()) continue;
+    std::uint32_t carried = between;
+    for (bool on = true; on;) {
+      on = false;
+      for (const robot::Joint& joint : robot.joints) {
+        const std::string& own = robot.bodies[carried].name;
+        const bool last = std::find(converted.between.begin(), converted.between.end(), own) ==
+                          converted.between.end();
+        if (last || joint.parent != carried) continue;
+        carried = joint.child;
+        on = true;
+        break;
+      }
+    }
+    if (carried == between) continue;
+    robot.bodies[carried].mass = mass::add(robot.bodies[carried].mass, robot.bodies[between].mass);
+    robot.bodies[between].mass = {};
+  }
+  const std::size_t before = robot.joints.size();
+  std::erase_if(robot.joints, [](const robot::Joint& joint) { return joint.closes_loop; });
+  if (robot.joints.size() != before) robot::connect(robot);
+}
+
+Conversion from_mjcf(const Environment& environment, Sources& sources, read::Workspace& workspace,
+                     const read::Loaded& loaded, const convert::FromMjcfOptions& how,
+                     const ConversionOptions& options, decltype(convert::mjcf_to_urdf)& convert) {
+  const model::Frames frames(loaded.root);
+  const read::Documents documents(workspace);
+  mass::MeshSurveys surveys(environment.disk, {.workers = &environment.workers});
+  robot::Lookups lookups = robot::lookups_in(loaded.root, workspace, environment.resolver);
+  lookups.find_mesh = rules::mesh_finder(environment.resolver, sources, surveys);
+  const convert::Source source{loaded.root,          frames,           documents,
+                               environment.resolver, environment.urdf, environment.workers,
+                               loaded.file->path,    options.out,      options.working_folder};
+  convert::FromMjcfConversion converted = convert({source, lookups, workspace}, how);
+  Conversion result;
+  result.model = converted.model;
+  if (options.header == AccountHeader::kComment) {
+    const auto lines = head(loaded.file->path, converted.account);
+    if (converted.urdf) converted.urdf->head = lines;
+    if (converted.sdf) converted.sdf->head = lines;
+  }
+  if (converted.urdf) result.text = convert::urdf_text(*converted.urdf);
+  if (converted.sdf) result.text = convert::sdf_text(*converted.sdf);
+  result.files = converted.files;
+  result.account = converted.account;
+  result.names.links = converted.links;
+  result.names.joints = converted.joints;
+  result.names.held_by = converted.held_by;
+  result.names.unlimited = how.urdf.unlimited;
+  using Result = Conclusion::Result;
+  for (robot::Body& body : converted.robot.bodies) {
+    for (auto* parts : {&body.collisions, &body.visuals}) {
+      for (robot::Part& part : *parts) {
+        if (part.shape.path.empty()) continue;
+        part.shape.path = join_path(options.working_folder, part.shape.path);
+      }
+    }
+  }
+  return Conclusion(environment, sources, workspace, loaded, options)
+      .of(std::move(result), converted.sdf ? Result::kSdf : Result::kUrdf,
+          [&](Prover& prover, const Conversion&) {
+            return prover.prove(loaded, converted.robot,
+                                [&](robot::Robot& robot) { settle_mjcf(converted, robot); });
+          });
+}
+
+}  // namespace
+
+Conversion from_mjcf_to_urdf(const Environment& environment, Sources& sources,
+                             read::Workspace& workspace, const read::Loaded& loaded,
+                             const convert::FromMjcfOptions& how,
+                             const ConversionOptions& options) {
+  return from_mjcf(environment, sources, workspace, loaded, how, options, convert::mjcf_to_urdf);
+}
+
+Conversion from_mjcf_to_sdf(const Environment& environment, Sources& sources,
+                            read::Workspace& workspace, const read::Loaded& loaded,
+                            const convert::FromMjcfOptions& how, const ConversionOptions& options) {
+  return from_mjcf(environment, sources, workspace, loaded, how, options, convert::mjcf_to_sdf);
 }
 
 }  // namespace rigor::author

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/convert/from_mjcf.h>
 #include <rigor/convert/sdf_to_urdf.h>
 #include <rigor/convert/to_mjcf.h>
 #include <rigor/convert/urdf_to_sdf.h>
@@ -73,6 +74,14 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
 Conversion to_mjcf(const Environment& environment, Sources& sources, read::Workspace& workspace,
                    const read::Loaded& loaded, const convert::MjcfOptions& how,
                    const ConversionOptions& options);
+
+/// `loaded` holds MJCF.
+Conversion from_mjcf_to_urdf(const Environment& environment, Sources& sources,
+                             read::Workspace& workspace, const read::Loaded& loaded,
+                             const convert::FromMjcfOptions& how, const ConversionOptions& options);
+Conversion from_mjcf_to_sdf(const Environment& environment, Sources& sources,
+                            read::Workspace& workspace, const read::Loaded& loaded,
+                            const convert::FromMjcfOptions& how, const ConversionOptions& options);
 
 /// "convert", "rewritten": the words of outcomes, in their order.
 std::string_view to_string(convert::Outcome outcome);

@@ -133,6 +133,26 @@ enum class NoteKind : std::uint8_t {
   kMjcfWorld,         ///< what a world holds beside its models
   kMjcfDepth,         ///< more than `written` bodies hang on each other
   kMjcfLost,          ///< an element that MJCF has nothing for
+  // From MJCF. `written` is an element and its attribute, as "geom/@solref", unless another thing is said.
+  kFromMjcfBodies,  ///< a recipe for bodies that the result lacks
+  kFromMjcfTendon,
+  kFromMjcfEquality,
+  kFromMjcfActuator,
+  kFromMjcfSensor,
+  kFromMjcfContact,
+  kFromMjcfLook,  ///< lights, cameras, textures
+  kFromMjcfSite,
+  kFromMjcfDynamics,  ///< of a joint: armature, the limit's softness
+  kFromMjcfSetting,   ///< of the solver, keyframes, statistics
+  kFromMjcfOther,
+  kFromMjcfLoop,      ///< `written`, "connect" or "weld", closes a loop
+  kFromMjcfMimic,     ///< `written` are coefficients of more than a line
+  kFromMjcfWorld,     ///< `count` shapes of the world are left out
+  kFromMjcfLeftOut,   ///< bodies that were not asked for: `count` of them
+  kFromMjcfRoot,      ///< `written` is the pose of the free root that URDF has no place for
+  kFromMjcfFree,      ///< a free body that is none of the root's is `instead`
+  kFromMjcfMassless,  ///< a body between joints, or without mass, weighs `instead`
+  kFromMjcfLimit,     ///< the range of a ball: `written`
 };
 
 struct Note {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -24,29 +25,12 @@ namespace {
 using model::Id;
 using robot::kNoIndex;
 
-/// The links without mass that move weigh this share of the robot together: a tenth of what a comparison of
-/// masses lets pass.
-constexpr double kMasslessShare = 1e-10;
-/// kg, of a robot that weighs nothing at all.
-constexpr double kWeightlessRobot = 1;
-/// kg: below it MuJoCo rejects the inertia that goes with it.
-constexpr double kMinMasslessLink = 1e-12;
-
 /// Elements around the bodies of the deepest chain, and what stands in a body, that a reader of XML has to
 /// take as well; tinyxml2 up to version 9 stops at 100 levels.
 constexpr std::size_t kMaxBodyDepth = 90;
 
 /// MuJoCo 2.2.2 reads no longer list.
 constexpr std::size_t kMaxKeyframeNumbers = 1000;
-
-double massless_link(const robot::Robot& robot) {
-  double total = 0;
-  for (const robot::Body& body : robot.bodies) total += std::max(body.mass.mass, 0.0);
-  if (!(total > 0) || !std::isfinite(total)) total = kWeightlessRobot;
-  const auto count = static_cast<double>(std::max<std::size_t>(robot.bodies.size(), 1));
-  return std::max(std::pow(10, std::floor(std::log10(kMasslessShare * total / count))),
-                  kMinMasslessLink);
-}
 
 class MjcfBuilder {
  public:
@@ -59,7 +43,7 @@ class MjcfBuilder {
                assembly,
                MjcfEntities(source.source.root),
                fixed_to_world(assembly.robot, assembly.world)} {
-    draft_.next_to_nothing = massless_link(assembly.robot);
+    draft_.next_to_nothing = mjcf_massless_link(assembly.robot);
     draft_.joint_names = mjcf_joint_names(draft_);
   }
 
@@ -90,6 +74,8 @@ class MjcfBuilder {
     for (MjcfElement* section : {&draft_.equality, &draft_.actuator, &draft_.sensor}) {
       add_section(root, *section);
     }
+    MjcfElement contact = excluded();
+    add_section(root, contact);
     MjcfElement keyframe = home();
     add_section(root, keyframe);
     name_map();
@@ -208,6 +194,29 @@ class MjcfBuilder {
     }
   }
 
+  /// Pairs of bodies that do not touch; of links that were lumped, what holds them.
+  MjcfElement excluded() const {
+    const auto& held_by = draft_.assembly.held_by;
+    const auto body_of = [&](const std::string& link) {
+      const auto held = held_by.find(link);
+      const std::string& name = held == held_by.end() ? link : held->second;
+      const auto& bodies = draft_.robot().bodies;
+      const bool found = std::any_of(bodies.begin(), bodies.end(),
+                                     [&](const auto& body) { return body.name == name; });
+      return found && name != robot::kWorldBody ? name : std::string();
+    };
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const auto& [first, second] : draft_.options.excluded) {
+      std::string a = body_of(first), b = body_of(second);
+      if (a.empty() || b.empty() || a == b) continue;
+      if (b < a) std::swap(a, b);
+      pairs.emplace(std::move(a), std::move(b));
+    }
+    MjcfElement contact{"contact"};
+    for (const auto& [a, b] : pairs) contact.add({"exclude", {{"body1", a}, {"body2", b}}});
+    return contact;
+  }
+
   // --- the keyframe ---
 
   /// MuJoCo numbers bodies from the root down, each with all that it carries before the next.
@@ -223,7 +232,7 @@ class MjcfBuilder {
 
   MjcfElement home() const {
     const robot::Robot& robot = draft_.robot();
-    const robot::Positions positions = home_positions(robot);
+    const robot::Positions positions = home_positions(robot, draft_.options.home);
     std::string qpos;
     const auto append = [&qpos](const std::string& text) {
       qpos += (qpos.empty() ? "" : " ") + text;

@@ -31,6 +31,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigor/convert/ledger.h>
@@ -73,6 +74,10 @@ struct MjcfOptions {
   double armature = 0;  ///< kg·m² of a hinge, kg of a slide: what the file has no word for
   std::string file =
       "robot";  ///< name of the result without its ending, which `scene.xml` includes
+  /// rad or m, of joints in the keyframe `home`; of others 0, or the limit next to it.
+  std::map<std::string, double> home = {};
+  /// Links that are not checked against each other, as an SRDF has them.
+  std::vector<std::pair<std::string, std::string>> excluded = {};
 };
 
 /// The error at which a position actuator gives its full effort, rad or m.

@@ -97,6 +97,9 @@ std::optional<Solid> solid_of_mesh(const model::Mesh& shape, const GeomWeight& w
   if (!shape.vertices.empty()) return solid_of_vertices(shape, weight);
   const MeshSurvey* survey = find_mesh ? find_mesh(shape) : nullptr;
   if (survey == nullptr) return std::nullopt;
+  if (!survey->usable()) {
+    return survey->hull ? positive(scaled(*survey->hull, shape.scale.value)) : std::nullopt;
+  }
   const MeshBody body = body_of(*survey, shape.scale.value);
   const bool hull = weight.mesh_law == GeomWeight::MeshLaw::kConvex;
   if (body.from == BodyFrom::kHull && !hull && survey->pyramids) {

@@ -23,6 +23,7 @@ class Documents {
   explicit Documents(const Workspace& workspace);
 
   const xml::Document& of(SourceId source) const { return *by_source_.at(source); }
+  bool hold(SourceId source) const { return by_source_.contains(source); }
   xml::Element element(const model::Site& site) const {
     return of(site.span.source).element(site.element);
   }

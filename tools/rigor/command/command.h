@@ -58,6 +58,8 @@ std::unique_ptr<Command> sdf2urdf_command();
 std::unique_ptr<Command> urdf2sdf_command();
 std::unique_ptr<Command> sdf2mjcf_command();
 std::unique_ptr<Command> urdf2mjcf_command();
+std::unique_ptr<Command> mjcf2sdf_command();
+std::unique_ptr<Command> mjcf2urdf_command();
 std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> simulate_command();
 std::unique_ptr<Command> render_command();

@@ -3,6 +3,7 @@
 //
 // `rigor sdf2mjcf` and `rigor urdf2mjcf`: a model as MJCF, with its meshes and a scene.
 
+#include <rigor/read/srdf/srdf.h>
 #include <rigor/text/path.h>
 
 #include "model/conversion.h"
@@ -37,6 +38,10 @@ class ToMjcf final : public Command {
       app->add_option("--model", how_.model, "Model to convert, if the file has several: else all")
           ->type_name("NAME");
     }
+    app->add_option(
+           "--srdf", srdf_,
+           "SRDF whose state `home` is the keyframe, and whose disabled pairs do not touch")
+        ->type_name("FILE");
     app->add_option("--armature", armature_,
                     "Inertia of the rotor that is added to each joint: kg·m², or kg of a slide")
         ->type_name("NUMBER");
@@ -59,11 +64,12 @@ class ToMjcf final : public Command {
   }
 
   int run() override {
-    const convert::MjcfOptions how = options();
-    return common_.run([&how](const Environment& environment, Sources& sources,
-                              read::Workspace& workspace, const read::Loaded& loaded,
-                              const author::ConversionOptions& options) {
+    convert::MjcfOptions how = options();
+    return common_.run([this, &how](const Environment& environment, Sources& sources,
+                                    read::Workspace& workspace, const read::Loaded& loaded,
+                                    const author::ConversionOptions& options) {
       if (!how.model.empty()) require_model(how.model, {&loaded.root});
+      if (!srdf_.empty()) add_srdf(workspace, how);
       return author::to_mjcf(environment, sources, workspace, loaded, how, options);
     });
   }
@@ -71,6 +77,19 @@ class ToMjcf final : public Command {
  private:
   static std::size_t chosen(const char* option, const std::string& value, Names known) {
     return value.empty() ? 0 : choice(option, value, known);
+  }
+
+  /// `home` of all groups; where two of them place a joint, the first does.
+  void add_srdf(read::Workspace& workspace, convert::MjcfOptions& how) const {
+    const read::File& file = workspace.open(srdf_);
+    const bool whole = file.document && file.document->complete() && file.document->root() &&
+                       file.document->root()->name() == "robot";
+    if (!whole) throw UsageError("--srdf " + srdf_ + ": is no SRDF that can be read");
+    const read::Srdf srdf = read::read_srdf(*file.document->root());
+    for (const read::SrdfPosition& position : srdf.positions) {
+      if (position.state == "home") how.home.try_emplace(position.joint.text, position.value);
+    }
+    how.excluded.assign(srdf.disabled.begin(), srdf.disabled.end());
   }
 
   convert::MjcfOptions options() const {
@@ -91,7 +110,7 @@ class ToMjcf final : public Command {
   std::string name_;
   ConversionCommand common_;
   convert::MjcfOptions how_;
-  std::string actuators_, fixed_, self_collision_, base_, armature_;
+  std::string actuators_, fixed_, self_collision_, base_, armature_, srdf_;
 };
 
 }  // namespace

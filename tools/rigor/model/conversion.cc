@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include <rigor/read/load.h>
@@ -26,6 +28,7 @@ namespace rigor::tool {
 namespace {
 
 constexpr std::string_view kMjcfEnding = ".xml";
+constexpr std::string_view kSceneFile = "scene.xml";
 
 /// Without what a reader of the pretty report needs not be told: infos on what is not lost.
 Diagnostics without_infos(const author::Conversion& result) {
@@ -49,6 +52,10 @@ bool loss_alone_keeps_from_writing(const author::Conversion& result) {
            return found.severity == Severity::kError &&
                   (found.rule == "convert-not-the-same" || found.rule == "convert-rejected");
          });
+}
+
+std::string format_word(model::Format format) {
+  return format == model::Format::kSdf ? "SDF" : format == model::Format::kUrdf ? "URDF" : "MJCF";
 }
 
 /// One finding for one cause.
@@ -112,8 +119,8 @@ int ConversionCommand::run(const Convert& convert) const {
       read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
   if (loaded.root.format != from_ || !file.document->complete()) {
     say("rigor: " + report::printable(file.path) +
-        (file.document->complete() ? ": holds no " : ": is not well-formed ") +
-        (from_ == model::Format::kSdf ? "SDF" : "URDF") + "; run `rigor validate` for details");
+        (file.document->complete() ? ": holds no " : ": is not well-formed ") + format_word(from_) +
+        "; run `rigor validate` for details");
     return kFindings;
   }
   author::ConversionOptions options;
@@ -165,10 +172,32 @@ void ConversionCommand::write_result(const author::Conversion& result) const {
   if (out_.empty() && !result.files.empty()) {
     throw UsageError("some of it goes into files next to the result: write it with -o FILE");
   }
-  for (const convert::SideFile& file : result.files) {
-    put_file(std::string(parent_path(out_)), file.name, file.bytes);
+  std::vector<std::string> places;
+  for (const convert::SideFile& file : result.files) places.push_back(place_of(file));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    put_file(std::string(parent_path(out_)), places[i], result.files[i].bytes);
   }
   write({0, out_}, *result.text);
+}
+
+/// Its name, but for the scene of another robot in the same folder. A mesh of another robot is not replaced
+/// while this one is new there: its file would show something else.
+std::string ConversionCommand::place_of(const convert::SideFile& file) const {
+  const std::string folder(parent_path(out_));
+  const std::string path = join_path(folder, file.name);
+  const bool shared = file.name == kSceneFile || file.name.starts_with("assets/") ||
+                      file.name.starts_with("meshes/");
+  std::error_code error;
+  if (!shared || !std::filesystem::is_regular_file(path, error)) return file.name;
+  std::ifstream stream(path, std::ios::binary);
+  const std::string there((std::istreambuf_iterator<char>(stream)), {});
+  if (there == file.bytes) return file.name;
+  if (file.name == kSceneFile) {
+    const bool own = there.find("<include file=\"" + stem() + ".xml\"/>") != std::string::npos;
+    return own ? file.name : stem() + '_' + file.name;
+  }
+  if (std::filesystem::exists(out_, error)) return file.name;
+  throw UsageError(path + " exists and is another mesh: write the result to another folder");
 }
 
 /// As robots, with the names that the conversion would have given, and what they tell simulators with what
@@ -179,10 +208,17 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
                              const author::Conversion& result) const {
   RobotFiles files(environment, sources, workspace);
   const read::Loaded kept = files.load(check_);
-  const auto a = files.robot(loaded, loaded.root[result.model].name.value);
+  // Of MJCF the robot that the conversion makes of it: choices are no differences.
+  const bool made = from_ == model::Format::kMjcf && result.text;
+  const read::Loaded as_made =
+      made ? read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
+                        workspace.put(loaded.file->path + ending_, *result.text))
+           : read::Loaded{};
+  const auto a =
+      made ? files.robot(as_made, {}) : files.robot(loaded, loaded.root[result.model].name.value);
   const auto b = files.robot(kept, {});
   if (!a || !b) return kFindings;
-  robot::Correspondence names = result.names;
+  robot::Correspondence names = made ? robot::Correspondence{} : result.names;
   names.placement = robot::Placement::kReported;
   std::vector<robot::Difference> differences = robot::compare(*a, *b, names);
   bool settings_left_out = true;
@@ -199,6 +235,9 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
       d.span_a = {};  // in a text that nobody has
       differences.push_back(std::move(d));
     }
+  }
+  if (made) {
+    for (robot::Difference& d : differences) d.span_a = {};  // in a text that nobody has
   }
   const report::RobotDiff diff{
       {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources, settings_left_out};

@@ -38,6 +38,7 @@ class ConversionCommand {
 
   /// Whether there is a folder that further files may be written to.
   bool writes_file() const { return !out_.empty(); }
+  bool compares_file() const { return !check_.empty(); }
   bool allows_loss() const { return allow_loss_; }
   /// The result's name without folder and ending; "robot" where it goes to stdout.
   std::string stem() const;
@@ -46,6 +47,7 @@ class ConversionCommand {
   int check(const Environment& environment, Sources& sources, read::Workspace& workspace,
             const read::Loaded& loaded, const author::Conversion& result) const;
   void write_result(const author::Conversion& result) const;
+  std::string place_of(const convert::SideFile& file) const;
   void tell(const author::Conversion& result, const Sources& sources) const;
   void refuse_stdout_twice() const;
 

@@ -20,6 +20,14 @@ using model::Pose;
 using robot::kNoIndex;
 using robot::Robot;
 
+/// The links without mass that move weigh this share of the robot together: a tenth of what a comparison of
+/// masses lets pass.
+constexpr double kMasslessShare = 1e-10;
+/// kg, of a robot that weighs nothing at all.
+constexpr double kWeightlessRobot = 1;
+/// kg: below it MuJoCo rejects the inertia that goes with it.
+constexpr double kMinMasslessLink = 1e-12;
+
 /// Makes a name that no other has by a number behind it.
 class UniqueNames {
  public:
@@ -215,6 +223,18 @@ std::vector<bool> fixed_to_world(const Robot& robot, std::uint32_t world) {
                        fixed[robot.joints[carrier].parent]);
   }
   return fixed;
+}
+
+double massless_link_mass(const robot::Robot& robot) {
+  double total = 0;
+  for (const robot::Body& body : robot.bodies) total += std::max(body.mass.mass, 0.0);
+  if (!(total > 0) || !std::isfinite(total)) total = kWeightlessRobot;
+  const auto count = static_cast<double>(std::max<std::size_t>(robot.bodies.size(), 1));
+  return std::pow(10, std::floor(std::log10(kMasslessShare * total / count)));
+}
+
+double mjcf_massless_link(const robot::Robot& robot) {
+  return std::max(massless_link_mass(robot), kMinMasslessLink);
 }
 
 }  // namespace rigor::convert

@@ -39,6 +39,11 @@ struct MjcfAssembly {
 MjcfAssembly mjcf_assembly(const MjcfSource& source, const MjcfOptions& options,
                            const std::vector<model::Id<model::Model>>& models);
 
+/// kg, of each link without mass that has to have one: all of them together weigh next to nothing.
+double massless_link_mass(const robot::Robot& robot);
+/// The same, as much as MuJoCo takes.
+double mjcf_massless_link(const robot::Robot& robot);
+
 /// Whether the body's frame never moves.
 std::vector<bool> fixed_to_world(const robot::Robot& robot, std::uint32_t world);
 

@@ -104,8 +104,10 @@ void add_mjcf_actuators(MjcfDraft& draft);
 /// Names of the joints' degrees, for all of them.
 std::vector<std::vector<std::string>> mjcf_joint_names(MjcfDraft& draft);
 
-/// rad or m: 0, or the limit that is next to it; what follows is where its leader puts it.
-robot::Positions home_positions(const robot::Robot& robot);
+/// rad or m: what is given by the name of a joint, else 0, or the limit that is next to it; what follows is
+/// where its leader puts it.
+robot::Positions home_positions(const robot::Robot& robot,
+                                const std::map<std::string, double>& given);
 
 // --- the account ---
 

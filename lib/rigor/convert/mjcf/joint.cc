@@ -149,13 +149,16 @@ std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t index) {
   return elements;
 }
 
-robot::Positions home_positions(const robot::Robot& robot) {
+robot::Positions home_positions(const robot::Robot& robot,
+                                const std::map<std::string, double>& given) {
   robot::Positions home;
   for (const robot::Joint& joint : robot.joints) {
     std::vector<double>& own = home.emplace_back();
+    const auto named = given.find(joint.name);
+    const double wanted = named == given.end() || joint.axes.size() != 1 ? 0 : named->second;
     for (const Axis& axis : joint.axes) {
       const bool bounded = axis.lower <= axis.upper;
-      own.push_back(bounded ? std::clamp(0.0, axis.lower, axis.upper) : 0);
+      own.push_back(bounded ? std::clamp(wanted, axis.lower, axis.upper) : wanted);
     }
   }
   return robot::followed(robot, std::move(home));

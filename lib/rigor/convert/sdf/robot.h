@@ -42,7 +42,8 @@ struct SdfPose {
 struct SdfShape {
   std::string name;
   SdfPose pose;
-  UrdfGeometry geometry;  ///< a mesh's `filename` is its URI
+  UrdfGeometry geometry;                          ///< a mesh's `filename` is its URI
+  std::optional<SdfElement> other_geometry = {};  ///< in its place: a shape that URDF lacks
   std::vector<SdfElement> rest = {};
   Remarks comments = {};
 };

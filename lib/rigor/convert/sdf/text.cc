@@ -131,7 +131,11 @@ class SdfWriter {
       out_.open(element, {{"name", shape.name}});
       write_pose(shape.pose);
       out_.open("geometry");
-      std::visit(GeometryWriter{out_}, shape.geometry);
+      if (shape.other_geometry) {
+        write_element(*shape.other_geometry);
+      } else {
+        std::visit(GeometryWriter{out_}, shape.geometry);
+      }
       out_.close();
       write_elements(shape.rest);
       out_.close();

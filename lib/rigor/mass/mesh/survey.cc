@@ -125,7 +125,12 @@ MeshSurvey survey_of(const mesh::LoadedMesh& loaded, const MeshChoice& choice) {
   MeshSurvey survey;
   survey.format = loaded.format;
   survey.faults = loaded.faults;
-  if (!survey.usable()) return survey;
+  if (!survey.usable()) {
+    // Vertices without faces, which MuJoCo takes for their hull.
+    const auto hull = mesh::convex_hull(loaded.mesh.positions);
+    if (hull) survey.hull = moments_of(*hull);
+    return survey;
+  }
   std::optional<TriangleMesh> own;
   if (!choice.submesh.empty()) own = part_of(loaded.mesh, choice.submesh);
   if (choice.center) move_to_center(own ? *own : own.emplace(loaded.mesh));

@@ -41,7 +41,8 @@ struct MeshChoice {
 
 struct MeshSurvey {
   mesh::Format format = mesh::Format::kUnknown;
-  std::vector<mesh::Fault> faults;  ///< with a fatal one, the rest is empty
+  std::vector<mesh::Fault>
+      faults;  ///< with a fatal one, the rest is empty, but for the hull of bare vertices
   std::uint64_t triangles = 0;
   mesh::Bounds bounds;        ///< in the file's own unit
   PolyhedronMoments moments;  ///< of what the triangles enclose, as they are wound

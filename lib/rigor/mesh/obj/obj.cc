@@ -112,6 +112,8 @@ class ObjReader {
     if (loaded_.usable()) {
       dress_corners();
       loaded_.mesh = std::move(mesh_);
+    } else if (loaded_.faults.size() == 1 && loaded_.faults[0].kind == FaultKind::kEmpty) {
+      loaded_.mesh.positions = std::move(mesh_.positions);  // of which a reader may make the hull
     }
     return std::move(loaded_);
   }

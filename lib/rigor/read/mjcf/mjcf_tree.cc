@@ -66,6 +66,16 @@ std::vector<xml::Element> MjcfTree::children(xml::Element parent) const {
   return list;
 }
 
+std::vector<xml::Element> MjcfTree::children_of_include(xml::Element include) const {
+  const auto found = included_.find({include.tag_span().source, include.index()});
+  std::vector<xml::Element> list;
+  if (found == included_.end()) return list;
+  for (const xml::Element child : found->second->document->root()->children()) {
+    list.push_back(child);
+  }
+  return list;
+}
+
 std::vector<xml::Element> MjcfTree::in_sections(std::string_view name) const {
   std::vector<xml::Element> list;
   for (const xml::Element section : children(root())) {

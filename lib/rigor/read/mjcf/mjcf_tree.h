@@ -38,6 +38,8 @@ class MjcfTree {
   xml::Element root() const { return *file_.document->root(); }
   /// What the parent holds, in order, with includes replaced.
   std::vector<xml::Element> children(xml::Element parent) const;
+  /// What an `<include>` is replaced by, includes inside it not replaced; nothing where it leads nowhere.
+  std::vector<xml::Element> children_of_include(xml::Element include) const;
   /// The children of all elements of the root with that name: `<asset>` may be there twice.
   std::vector<xml::Element> in_sections(std::string_view name) const;
   /// The path of the file that an element is in.

@@ -78,7 +78,8 @@ void read_srdf_element(xml::Element element, std::string_view parent, Srdf& srdf
   if (parent == "group_state" && kind == "joint") {
     const SrdfName value = srdf_name(element, "value");
     if (const auto position = single_position(value.text))
-      srdf.positions.push_back({srdf_name(element, "name"), *position, value.where});
+      srdf.positions.push_back({srdf_name(element, "name"), *position, value.where,
+                                srdf_name(*element.parent(), "name").text});
   }
   if (kind == "disable_collisions") {
     std::string a = srdf_name(element, "link1").text, b = srdf_name(element, "link2").text;

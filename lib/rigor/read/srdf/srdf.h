@@ -43,6 +43,7 @@ struct SrdfPosition {
   SrdfName joint;
   double value = 0;  ///< rad or m
   Span where;
+  std::string state = {};  ///< name of the state
 };
 
 struct Srdf {

@@ -16,8 +16,9 @@
 namespace rigor::rules {
 namespace conversion {
 
-constexpr std::span<const Row> (*kTables[])() = {file_rows,  graph_rows,   joint_rows, link_rows,
-                                                 shape_rows, carried_rows, proof_rows, mjcf_rows};
+constexpr std::span<const Row> (*kTables[])() = {file_rows,  graph_rows, joint_rows,
+                                                 link_rows,  shape_rows, carried_rows,
+                                                 proof_rows, mjcf_rows,  from_mjcf_rows};
 
 /// Kinds whose count is not of elements and attributes: of models, links, or nothing.
 constexpr convert::NoteKind kWithoutElements[] = {

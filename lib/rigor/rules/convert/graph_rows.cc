@@ -114,7 +114,7 @@ std::span<const Row> graph_rows() {
               "close no loop; with parent and child swapped and the axis negated, the joint's "
               "positions mean what they meant.",
        .what_to_do = "Nothing; or swap parent and child in the source."},
-      {.rule = {"convert-link-between", NoteKind::kLinkBetween, Severity::kInfo, Formats::kSdf},
+      {.rule = {"convert-link-between", NoteKind::kLinkBetween, Severity::kInfo},
        .message =
            [](const convert::Note& note) {
              return note.count == 1 ? "a link was added between joints in a row, of {instead}; "

@@ -25,8 +25,7 @@ std::span<const Row> proof_rows() {
        .summary = "the official parser rejects the result",
        .why = "Whatever reads the file next will reject it as well.",
        .what_to_do = "Please report it, with the file."},
-      {.rule = {"convert-rejected-by-libsdformat", NoteKind::kRefusedSdf, Severity::kError,
-                Formats::kUrdf},
+      {.rule = {"convert-rejected-by-libsdformat", NoteKind::kRefusedSdf, Severity::kError},
        .message = "libsdformat rejects the result: {written}",
        .summary = "libsdformat would reject the result",
        .why =

@@ -24,5 +24,6 @@ std::span<const Row> shape_rows();
 std::span<const Row> carried_rows();
 std::span<const Row> proof_rows();
 std::span<const Row> mjcf_rows();
+std::span<const Row> from_mjcf_rows();
 
 }  // namespace rigor::rules::conversion

@@ -47,6 +47,7 @@ bool holds_for_mjcf(const Rule& rule) {
   if (rule.formats == Formats::kMjcf) return true;
   if (rule.formats != Formats::kAny) return false;
   if (rule.category == Category::kXml || rule.category == Category::kSuppression) return true;
+  if (rule.category == Category::kConvert) return true;  // on notes that only a conversion has
   return std::find(kAlsoForMjcf.begin(), kAlsoForMjcf.end(), rule.name) != kAlsoForMjcf.end();
 }
 

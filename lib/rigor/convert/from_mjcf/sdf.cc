@@ -1,0 +1,351 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// MJCF as SDF.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <rigor/convert/from_mjcf/sdf_builder.h>
+#include <rigor/convert/mjcf/assembly.h>
+#include <rigor/convert/number_text.h>
+#include <rigor/mass/resolve.h>
+#include <rigor/model/subject.h>
+#include <rigor/write/numbers.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Id;
+using model::JointType;
+using model::Pose;
+using robot::kNoIndex;
+
+constexpr const char* kEndlessLower = "-1e16";
+constexpr const char* kEndlessUpper = "1e16";
+
+UrdfInertial inertial_of_body(const mass::MassProperties& body) {
+  const mass::Inertia& I = body.about_com;
+  return {origin_of({body.com, {}}),
+          {body.mass, {}},
+          {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}}, Number{I.iyy, {}},
+           Number{I.iyz, {}}, Number{I.izz, {}}}};
+}
+
+SdfElement text_element(const std::string& name, std::string text) {
+  return {.name = name, .text = std::move(text)};
+}
+
+class MjcfToSdf {
+ public:
+  MjcfToSdf(const MjcfPlan& plan, Ledger& ledger, FromMjcfConversion& result)
+      : plan_(plan),
+        root_(plan.root()),
+        ledger_(ledger),
+        result_(result),
+        taken_(plan.taken_links),
+        draft_{.source = plan.source.source, .options = plan.options.sdf, .ledger = ledger},
+        shaper_(plan, ledger, nullptr, &draft_),
+        sensors_(mjcf_to_sdf_sensors(plan, ledger)) {
+    draft_.next_to_nothing = massless_link_mass(plan.robot);
+  }
+
+  void build() {
+    SdfRobot& robot = draft_.robot;
+    robot.name = sdf_name(plan_.options.name.empty() ? plan_.robot.name : plan_.options.name);
+    robot.version = version();
+    if (collides_with_itself(plan_)) robot.settings.push_back(text_element("self_collide", "true"));
+    if (plan_.is_static) robot.settings.push_back(text_element("static", "true"));
+    for (std::uint32_t i = 0; i < plan_.robot.bodies.size(); ++i) {
+      if (i == plan_.world || !plan_.chosen[i]) continue;
+      result_.links.emplace(plan_.robot.bodies[i].name, plan_.link_names[i]);
+      if (is_frame(i)) {
+        add_frame(i);
+        continue;
+      }
+      add_link(i);
+      const bool stands = plan_.is_static && plan_.parent_of(i) == plan_.world;
+      if (plan_.is_carried(i) && !stands) add_joint(plan_.robot.bodies[i].carrier);
+    }
+    if (plan_.shows_world) add_surroundings();
+    for (const MjcfLoop& loop : plan_.loops) {
+      if (!plan_.is_static) add_loop(loop);
+    }
+    add_sites();
+    result_.files = std::move(shaper_).files();
+    result_.sdf = std::move(draft_.robot);
+  }
+
+ private:
+  int version() const {
+    if (plan_.options.sdf.version != 0) return plan_.options.sdf.version;
+    const auto& joints = plan_.robot.joints;
+    const bool mimics = std::any_of(joints.begin(), joints.end(), [](const robot::Joint& joint) {
+      return !joint.axes.empty() && joint.axes[0].follow;
+    });
+    return mimics ? kMimicVersion : kPlainVersion;
+  }
+
+  std::string name_of(std::uint32_t body) const {
+    return body == plan_.world || body == kNoIndex ? std::string(robot::kWorldBody)
+                                                   : plan_.link_names[body];
+  }
+
+  JointType carrier_type(std::uint32_t i) const {
+    return plan_.robot.joints[plan_.robot.bodies[i].carrier].type;
+  }
+
+  /// A body without mass and shapes that is fixed to another one.
+  bool is_frame(std::uint32_t i) const {
+    const model::Link& link = plan_.link(i);
+    if (plan_.robot.bodies[i].mass.mass > 0 || plan_.is_between(i) || !plan_.is_carried(i)) {
+      return false;
+    }
+    return carrier_type(i) == JointType::kFixed && plan_.parent_of(i) != plan_.world &&
+           link.visuals.empty() && link.collisions.empty() && !sensors_.of_body.contains(i);
+  }
+
+  void note(NoteKind kind, Outcome outcome, Span where, std::string subject, std::string written,
+            std::string instead = {}) {
+    ledger_.note({.kind = kind,
+                  .outcome = outcome,
+                  .where = where,
+                  .subject = std::move(subject),
+                  .written = std::move(written),
+                  .instead = std::move(instead)});
+  }
+
+  /// In what its body hangs on; of one that hangs on the world, in the model.
+  SdfPose placed(std::uint32_t i) const {
+    const bool on_body = plan_.is_carried(i) && plan_.parent_of(i) != plan_.world;
+    return {on_body ? name_of(plan_.parent_of(i)) : std::string(),
+            origin_of(plan_.link(i).pose.pose.value)};
+  }
+
+  // --- links ---
+
+  void add_frame(std::uint32_t i) {
+    SdfFrame frame{.name = plan_.link_names[i], .attached_to = name_of(plan_.parent_of(i))};
+    frame.pose.origin = origin_of(plan_.link(i).pose.pose.value);
+    std::uint32_t holder = plan_.parent_of(i);
+    while (holder != plan_.world && is_frame(holder)) holder = plan_.parent_of(holder);
+    result_.held_by.emplace(plan_.robot.bodies[i].name, plan_.robot.bodies[holder].name);
+    note(NoteKind::kFromMjcfMassless, Outcome::kRewritten, plan_.link(i).site.name,
+         model::subject(root_, plan_.link(i)), {}, "a frame of link " + name_of(holder));
+    draft_.robot.parts.emplace_back(std::move(frame));
+  }
+
+  void add_link(std::uint32_t i) {
+    SdfLink link{.name = plan_.link_names[i], .pose = placed(i)};
+    const mass::MassProperties body =
+        mass::resolve(root_, plan_.source.source.frames, {i}, plan_.source.lookups.find_mesh).body;
+    if (body.mass > 0) {
+      link.inertial = inertial_of_body(body);
+    } else {
+      link.inertial = next_to_nothing(draft_);
+      if (body.about_com != mass::Inertia{}) {
+        const Number mass = link.inertial->mass;
+        link.inertial = inertial_of_body(body);
+        link.inertial->mass = mass;
+      }
+      note(NoteKind::kFromMjcfMassless, Outcome::kSubstituted, plan_.link(i).site.name,
+           model::subject(root_, plan_.link(i)), {},
+           "a link of " + to_text(link.inertial->mass) + " kg");
+    }
+    add_shapes(link, i);
+    if (const auto own = sensors_.of_body.find(i); own != sensors_.of_body.end()) {
+      link.raw = own->second;
+    }
+    draft_.robot.parts.emplace_back(std::move(link));
+  }
+
+  void add_shapes(SdfLink& link, std::uint32_t i) {
+    const robot::Body& body = plan_.robot.bodies[i];
+    for (std::size_t k = 0; k < body.visuals.size(); ++k) {
+      const model::Visual& visual = root_[plan_.link(i).visuals[k]];
+      const std::string subject = model::subject(root_, visual);
+      for (MjcfShape& shape : shaper_.shapes(visual.geometry, subject, MjcfUse::kVisual)) {
+        SdfShape part = part_of(std::move(shape), visual.pose, body.visuals[k].name);
+        if (visual.material.rgba) part.rest.push_back(look(*visual.material.rgba));
+        link.visuals.push_back(std::move(part));
+      }
+    }
+    for (std::size_t k = 0; k < body.collisions.size(); ++k) {
+      const model::Collision& collision = root_[plan_.link(i).collisions[k]];
+      const std::string subject = model::subject(root_, collision);
+      for (MjcfShape& shape : shaper_.shapes(collision.geometry, subject, MjcfUse::kCollision)) {
+        SdfShape part = part_of(std::move(shape), collision.pose, body.collisions[k].name);
+        if (collision.surface.mu.written) part.rest.push_back(surface(collision.surface.mu.value));
+        link.collisions.push_back(std::move(part));
+      }
+    }
+  }
+
+  static SdfShape part_of(MjcfShape shape, const model::PoseField& pose, const std::string& name) {
+    SdfShape result;
+    result.name = name + shape.suffix;
+    result.pose.origin = origin_of(compose(pose.pose.value, shape.X_GS));
+    result.geometry = std::move(shape.geometry);
+    result.other_geometry = std::move(shape.other);
+    return result;
+  }
+
+  static SdfElement look(const std::array<double, 4>& rgba) {
+    std::array<Number, 4> color;
+    for (std::size_t i = 0; i < color.size(); ++i) color[i].value = rgba[i];
+    SdfElement material{.name = "material"};
+    material.at("ambient").text = material.at("diffuse").text = number_texts(color);
+    return material;
+  }
+
+  static SdfElement surface(double mu) {
+    SdfElement element{.name = "surface"};
+    element.at("friction/ode/mu").text = element.at("friction/ode/mu2").text = to_text({mu, {}});
+    return element;
+  }
+
+  void add_surroundings() {
+    SdfLink link{.name = std::string(kSurroundings)};
+    link.inertial = next_to_nothing(draft_);
+    add_shapes(link, plan_.world);
+    draft_.robot.parts.emplace_back(std::move(link));
+    if (plan_.is_static) return;
+    SdfJoint joint{.name = std::string(kSurroundings) + "_joint", .type = "fixed"};
+    joint.parent = robot::kWorldBody;
+    joint.child = kSurroundings;
+    draft_.robot.parts.emplace_back(std::move(joint));
+  }
+
+  // --- joints ---
+
+  void add_joint(std::uint32_t index) {
+    const robot::Joint& joint = plan_.robot.joints[index];
+    const model::Joint& written = root_[plan_.joint_ids[index]];
+    SdfJoint result{.name = plan_.joint_names[index]};
+    result.parent = name_of(joint.parent);
+    result.child = name_of(joint.child);
+    result.pose.origin = origin_of(written.pose.pose.value);
+    result_.joints.emplace(joint.name, std::vector{result.name});
+    if (joint.type == JointType::kBall) {
+      result.type = "ball";
+      tell_ball(written);
+    } else if (joint.axes.empty() || length(joint.axes[0].direction) == 0) {
+      result.type = "fixed";
+    } else {
+      const bool slides = joint.axes[0].motion == robot::Axis::Motion::kSlide;
+      result.type = slides ? "prismatic" : "revolute";
+      result.axis = axis_of(joint.axes[0]);
+    }
+    if (const auto own = sensors_.of_joint.find(index); own != sensors_.of_joint.end()) {
+      result.raw = own->second;
+    }
+    draft_.robot.parts.emplace_back(std::move(result));
+  }
+
+  void tell_ball(const model::Joint& joint) {
+    if (joint.axes.empty()) return;
+    const model::Axis& axis = joint.axes[0];
+    const auto lose = [&](const model::Field<double>& field, const char* what) {
+      ledger_.take(field, Outcome::kLost);
+      note(NoteKind::kFromMjcfLimit, Outcome::kLost, field.span, model::subject(root_, joint),
+           std::string(what) + ' ' + to_text({field.value, {}}));
+    };
+    if (axis.limit_written) lose(axis.upper, "range");
+    if (axis.damping.value != 0) lose(axis.damping, "damping");
+    if (axis.friction.value != 0) lose(axis.friction, "frictionloss");
+  }
+
+  SdfAxis axis_of(const robot::Axis& axis) const {
+    SdfAxis result{.xyz = numbers(axis.direction)};
+    for (Number& number : result.xyz) number.value = write::settled(number.value, 0, 1);
+    SdfElement limit{.name = "limit"};
+    const auto bound = [](double value, const char* none) {
+      return std::isfinite(value) ? to_text({value, {}}) : std::string(none);
+    };
+    limit.at("lower").text = bound(axis.lower, kEndlessLower);
+    limit.at("upper").text = bound(axis.upper, kEndlessUpper);
+    if (std::isfinite(axis.effort)) limit.at("effort").text = to_text({axis.effort, {}});
+    result.rest.push_back(std::move(limit));
+    SdfElement dynamics{.name = "dynamics"};
+    const auto add = [&dynamics](const char* name, double value) {
+      if (value != 0) dynamics.at(name).text = to_text({value, {}});
+    };
+    add("damping", axis.damping);
+    add("friction", axis.friction);
+    if (axis.spring_stiffness != 0) {
+      dynamics.at("spring_reference").text = to_text({axis.spring_reference, {}});
+      dynamics.at("spring_stiffness").text = to_text({axis.spring_stiffness, {}});
+    }
+    if (!dynamics.children.empty()) result.rest.push_back(std::move(dynamics));
+    if (!axis.follow) return result;
+    for (std::size_t i = 0; i < plan_.robot.joints.size(); ++i) {
+      if (plan_.robot.joints[i].name != axis.follow->joint) continue;
+      result.mimic =
+          UrdfMimic{plan_.joint_names[i], {axis.follow->multiplier, {}}, {axis.follow->offset, {}}};
+    }
+    return result;
+  }
+
+  void add_loop(const MjcfLoop& loop) {
+    SdfJoint joint{.name = loop.name};
+    joint.type = loop.type == JointType::kFixed  ? "fixed"
+                 : loop.type == JointType::kBall ? "ball"
+                                                 : "revolute";
+    joint.parent = name_of(loop.parent);
+    joint.child = name_of(loop.child);
+    joint.pose.origin = origin_of(loop.X_CJ);
+    if (loop.type == JointType::kRevolute) {
+      robot::Axis axis;
+      axis.direction = loop.axis;
+      axis.lower = -robot::kUnlimited;
+      axis.upper = axis.effort = robot::kUnlimited;
+      joint.axis = axis_of(axis);
+    }
+    draft_.robot.parts.emplace_back(std::move(joint));
+  }
+
+  // --- sites ---
+
+  void add_sites() {
+    for (const model::Frame& frame : root_.frames) {
+      for (std::uint32_t i = 0; i < plan_.robot.bodies.size(); ++i) {
+        const bool carries = plan_.robot.bodies[i].name == frame.attached_to.value;
+        if (!carries || i == plan_.world || !plan_.chosen[i]) continue;
+        SdfFrame result{.name = plan_.unique(taken_, frame.name.value),
+                        .attached_to = plan_.link_names[i]};
+        result.pose.origin = origin_of(frame.pose.pose.value);
+        draft_.robot.parts.emplace_back(std::move(result));
+      }
+    }
+  }
+
+  const MjcfPlan& plan_;
+  const model::Root& root_;
+  Ledger& ledger_;
+  FromMjcfConversion& result_;
+  std::set<std::string> taken_;
+  SdfDraft draft_;
+  MjcfShaper shaper_;
+  MjcfSensors sensors_;
+};
+
+}  // namespace
+
+FromMjcfConversion mjcf_to_sdf(const FromMjcfSource& source, const FromMjcfOptions& options) {
+  FromMjcfConversion result;
+  result.model = {0};
+  const MjcfPlan plan(source, options, MjcfTarget::kSdf);
+  result.account.notes = plan.refusals;
+  if (!plan.refusals.empty()) return result;
+  Ledger ledger(source.source.documents);
+  take_mjcf_source(plan, ledger);
+  MjcfToSdf(plan, ledger, result).build();
+  result.robot = expected_robot(plan);
+  result.account = close_mjcf_account(std::move(ledger));
+  return result;
+}
+
+}  // namespace rigor::convert

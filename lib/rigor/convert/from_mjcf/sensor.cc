@@ -1,0 +1,236 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <rigor/convert/from_mjcf/sdf_builder.h>
+#include <rigor/convert/number_text.h>
+#include <rigor/convert/xml_writer.h>
+#include <rigor/read/mjcf/mjcf_pose.h>
+#include <rigor/read/values.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Pose;
+
+/// SDF's camera looks along x, with z up; MuJoCo's along -z, with y up.
+constexpr model::Quaternion kFromCameraOfSdf{0.5, 0.5, -0.5, -0.5};
+/// The sides of an image, which MJCF leaves to who renders it.
+constexpr int kImageWidth = 320, kImageHeight = 240;
+/// degrees, of a camera that says nothing.
+constexpr double kFieldOfView = 45;
+
+std::string pose_words(const Pose& X) {
+  const UrdfOrigin origin = origin_of(X);
+  return number_texts(origin.xyz) + ' ' + number_texts(origin.rpy);
+}
+
+class MjcfSensorReader {
+ public:
+  MjcfSensorReader(const MjcfPlan& plan, Ledger& ledger) : plan_(plan), ledger_(ledger) {}
+
+  MjcfSensors read() {
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<xml::Element>> by_site;
+    for (const xml::Element element : plan_.scope.tree.in_sections("sensor")) {
+      std::string site = mjcf_word(element, "site");
+      if (site.empty() && mjcf_word(element, "objtype") == "site")
+        site = mjcf_word(element, "objname");
+      if (site.empty()) continue;
+      if (by_site[site].empty()) order.push_back(site);
+      by_site[site].push_back(element);
+    }
+    for (const std::string& site : order) add_at(site, by_site[site]);
+    for (std::uint32_t i = 0; i < plan_.root().links.size(); ++i) {
+      if (i != plan_.world && plan_.chosen[i] && !plan_.is_between(i)) add_cameras(i);
+    }
+    return std::move(sensors_);
+  }
+
+ private:
+  /// That no shape and no other sensor of the link has.
+  std::string name_in(std::uint32_t body, const std::string& name) {
+    const auto [taken, first] = taken_.try_emplace(body);
+    if (first) {
+      for (const auto* parts :
+           {&plan_.robot.bodies[body].visuals, &plan_.robot.bodies[body].collisions}) {
+        for (const robot::Part& part : *parts) taken->second.insert(part.name);
+      }
+    }
+    return plan_.unique(taken->second, name);
+  }
+
+  struct Placed {
+    std::uint32_t body;
+    Pose X_LS;
+  };
+
+  std::optional<Placed> place_of(const std::string& site) const {
+    for (const model::Frame& frame : plan_.root().frames) {
+      if (frame.name.value != site && frame.name.value != site + "_site") continue;
+      for (std::uint32_t i = 0; i < plan_.robot.bodies.size(); ++i) {
+        const bool carries = plan_.robot.bodies[i].name == frame.attached_to.value;
+        if (carries && i != plan_.world && plan_.chosen[i]) {
+          return Placed{i, frame.pose.pose.value};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  void add_at(const std::string& site, const std::vector<xml::Element>& elements) {
+    const auto placed = place_of(site);
+    if (!placed) return;
+    std::vector<xml::Element> inertial, wrench, magnetic, orientation;
+    for (const xml::Element element : elements) {
+      const std::string_view tag = element.name();
+      if (tag == "accelerometer" || tag == "gyro") inertial.push_back(element);
+      if (tag == "framequat") orientation.push_back(element);
+      if (tag == "force" || tag == "torque") wrench.push_back(element);
+      if (tag == "magnetometer") magnetic.push_back(element);
+    }
+    if (!inertial.empty()) {
+      inertial.insert(inertial.end(), orientation.begin(), orientation.end());
+      take(inertial, "an imu");
+      sensors_.of_body[placed->body].push_back(
+          sensor(name_in(placed->body, site), "imu", placed->X_LS));
+    }
+    if (!magnetic.empty()) {
+      take(magnetic, "a magnetometer");
+      sensors_.of_body[placed->body].push_back(
+          sensor(name_in(placed->body, site), "magnetometer", placed->X_LS));
+    }
+    if (wrench.empty() || !plan_.is_carried(placed->body)) return;
+    take(wrench, "a force_torque sensor");
+    const std::uint32_t carrier = plan_.robot.bodies[placed->body].carrier;
+    const Pose X_LJ = plan_.root()[plan_.joint_ids[carrier]].pose.pose.value;
+    sensors_.of_joint[carrier].push_back(
+        sensor(site, "force_torque", compose(inverse(X_LJ), placed->X_LS), [](XmlWriter& out) {
+          out.open("force_torque");
+          out.text("frame", "sensor");
+          out.text("measure_direction", "child_to_parent");
+          out.close();
+        }));
+  }
+
+  void take(const std::vector<xml::Element>& elements, const std::string& instead) {
+    for (const xml::Element element : elements) {
+      ledger_.take_all(element, Outcome::kSubstituted);
+      ledger_.note({.kind = NoteKind::kFromMjcfSensor,
+                    .outcome = Outcome::kSubstituted,
+                    .where = element.name_span(),
+                    .subject = std::string(element.name()) + " " + mjcf_word(element, "name"),
+                    .written = std::string(element.name()),
+                    .instead = instead});
+    }
+  }
+
+  template <class Content>
+  static std::string sensor(const std::string& name, const std::string& type, const Pose& X,
+                            const Content& content) {
+    XmlWriter out;
+    out.open("sensor", {{"name", name}, {"type", type}});
+    if (X != Pose{}) out.text("pose", pose_words(X));
+    content(out);
+    out.close();
+    return std::move(out).take();
+  }
+  static std::string sensor(const std::string& name, const std::string& type, const Pose& X) {
+    return sensor(name, type, X, [](XmlWriter& out) { out.text("always_on", "true"); });
+  }
+
+  /// Of the body itself, not of frames and copies in it.
+  void add_cameras(std::uint32_t body) {
+    const xml::Element element = plan_.source.source.documents.element(plan_.link(body).site);
+    for (const xml::Element child : plan_.scope.tree.children(element)) {
+      if (child.name() != "camera") continue;
+      const auto id = plan_.scope.defaults.find(mjcf_word(child, "class"));
+      const read::MjcfValues values =
+          plan_.scope.defaults.values(child, "camera", id.value_or(read::MjcfDefaults::kMain));
+      const std::string mode = values.string("mode", "fixed").value;
+      const double fovy = values.number("fovy", kFieldOfView).value * std::numbers::pi / 180;
+      if (mode != "fixed" || !(fovy > 0) || !(fovy < std::numbers::pi)) continue;
+      const Pose X = compose(read::mjcf_pose(values, plan_.scope.settings),
+                             inverse(Pose{{}, kFromCameraOfSdf}));
+      const double across = 2 * std::atan(std::tan(fovy / 2) * kImageWidth / kImageHeight);
+      std::string name = mjcf_word(child, "name");
+      name = name_in(body, name.empty() ? "camera" : name);
+      take({child},
+           "a camera of " + std::to_string(kImageWidth) + " x " + std::to_string(kImageHeight));
+      sensors_.of_body[body].push_back(sensor(name, "camera", X, [&](XmlWriter& out) {
+        out.open("camera");
+        out.text("horizontal_fov", to_text({across, {}}));
+        out.open("image");
+        out.text("width", std::to_string(kImageWidth));
+        out.text("height", std::to_string(kImageHeight));
+        out.close();
+        out.close();
+      }));
+    }
+  }
+
+  const MjcfPlan& plan_;
+  Ledger& ledger_;
+  MjcfSensors sensors_;
+  std::map<std::uint32_t, std::set<std::string>> taken_;
+};
+
+struct Masks {
+  std::uint32_t type = 0, affinity = 0;
+};
+
+/// By the class of the element, or the nearest `childclass` around it.
+Masks masks_of(const MjcfPlan& plan, xml::Element geom) {
+  std::string name = mjcf_word(geom, "class");
+  for (auto at = geom.parent(); name.empty() && at; at = at->parent()) {
+    name = mjcf_word(*at, "childclass");
+  }
+  const auto id = plan.scope.defaults.find(name);
+  const read::MjcfValues values =
+      plan.scope.defaults.values(geom, "geom", id.value_or(read::MjcfDefaults::kMain));
+  const auto bits = [&](std::string_view attribute) {
+    const double value = values.number(attribute, 1).value;
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
+  };
+  return {bits("contype"), bits("conaffinity")};
+}
+
+}  // namespace
+
+MjcfSensors mjcf_to_sdf_sensors(const MjcfPlan& plan, Ledger& ledger) {
+  return MjcfSensorReader(plan, ledger).read();
+}
+
+bool collides_with_itself(const MjcfPlan& plan) {
+  std::vector<std::pair<std::uint32_t, Masks>> links;
+  for (std::uint32_t i = 0; i < plan.root().links.size(); ++i) {
+    if (i == plan.world || !plan.chosen[i]) continue;
+    Masks all;
+    for (const auto id : plan.link(i).collisions) {
+      const Masks one = masks_of(plan, plan.source.source.documents.element(plan.root()[id].site));
+      all.type |= one.type;
+      all.affinity |= one.affinity;
+    }
+    if ((all.type | all.affinity) != 0) links.emplace_back(i, all);
+  }
+  const auto are_neighbors = [&plan](std::uint32_t a, std::uint32_t b) {
+    return (plan.is_carried(a) && plan.parent_of(a) == b) ||
+           (plan.is_carried(b) && plan.parent_of(b) == a);
+  };
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto& [a, first] = links[i];
+      const auto& [b, second] = links[k];
+      const bool touch = (first.type & second.affinity) != 0 || (second.type & first.affinity) != 0;
+      if (touch && !are_neighbors(a, b)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace rigor::convert
