@@ -62,6 +62,7 @@ class AttributeList {
   const NodeAttribute* end() const { return first_ + size_; }
   NodeAttribute* begin() { return first_; }
   NodeAttribute* end() { return first_ + size_; }
+  const NodeAttribute& operator[](std::size_t index) const { return first_[index]; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   void reserve(std::size_t room);
