@@ -16,6 +16,7 @@ set(rigor_public_headers
   rigor/xml/document.h
   rigor/xml/fault.h
   rigor/xml/token.h
+  rigor/xacro/arena.h
   rigor/xacro/bounds.h
   rigor/xacro/expand.h
   rigor/xacro/fact.h

@@ -129,6 +129,38 @@ TEST(ArgumentSets, HaveEveryValueThatAConditionNames) {
   EXPECT_EQ(shown_arguments({{"a", "1"}, {"b", "x"}}), "a:=1 b:=x");
 }
 
+TEST(ArgumentSets, FollowArgumentsThroughParametersOfMacros) {
+  MemoryDisk disk(
+      {{"r.xacro",
+        std::string(kHead) +
+            "<xacro:arg name=\"hand\" default=\"none\"/>\n"
+            "<xacro:arg name=\"sim\" default=\"0\"/>\n"
+            "<xacro:arg name=\"label\" default=\"arm\"/>\n"
+            "<xacro:arg name=\"other\" default=\"x\"/>\n"
+            "<xacro:property name=\"chosen\" value=\"$(arg hand)\"/>\n"
+            "<xacro:property name=\"is_saw\" value=\"${chosen == 'saw'}\"/>\n"
+            "<xacro:macro name=\"tool\" params=\"type simulated label\">\n"
+            "<xacro:if value=\"${type == 'claw'}\"/><xacro:if value=\"${simulated}\"/>\n"
+            "<xacro:if value=\"${label}\"/></xacro:macro>\n"
+            "<xacro:macro name=\"arm\" params=\"kind simulated:=$(arg sim) label:=^\">\n"
+            "<xacro:tool type=\"${kind}\" simulated=\"${simulated}\" label=\"${label}\"/>\n"
+            "</xacro:macro>\n"
+            "<xacro:macro name=\"leg\" params=\"type\"><xacro:if value=\"${type == 'long'}\"/>\n"
+            "</xacro:macro>\n"
+            "<xacro:property name=\"label\" value=\"$(arg label)\"/>\n"
+            "<xacro:arm kind=\"${ chosen }\"/><xacro:leg type=\"short\"/>\n"
+            "<link name=\"$(arg other)${is_saw}\"/></robot>\n"}});
+  Sources sources;
+  const Resolver resolver(disk, {});
+  Workspace workspace(resolver, sources);
+  const ArgumentPlan plan =
+      all_arguments(workspace.open("r.xacro").expanded->expansion(), sources, disk, {});
+  // The leg's own parameter of the same name has no argument; a label is no truth value.
+  const std::vector<TemplateArguments> expected{
+      {{"hand", "claw"}}, {{"hand", "saw"}}, {{"sim", "false"}}, {{"sim", "true"}}};
+  EXPECT_EQ(plan.sets, expected);
+}
+
 TEST(ArgumentSets, HaveTheEntriesOfAFolderThatAnArgumentNames) {
   MemoryDisk disk(
       {{"arm/r.xacro",

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include <malloc.h>
 #include <time.h>
 
 #include <fmt/core.h>
@@ -61,6 +62,12 @@ std::optional<double> milliseconds(const std::string& file, const rigor::xacro::
 }  // namespace
 
 int main() {
+  // As `rigor lsp` has it: memory is kept from one expansion to the next, as Python keeps its own.
+#ifdef __GLIBC__
+  constexpr int kKeptBytes = 96 << 20;
+  mallopt(M_MMAP_THRESHOLD, kKeptBytes);
+  mallopt(M_TRIM_THRESHOLD, kKeptBytes);
+#endif
   std::map<std::string, std::string, std::less<>> packages;
   const rigor::RealDisk disk;
   rigor::xacro::World world{disk};

@@ -9,6 +9,7 @@
 #include <rigor/xacro/expander.h>
 #include <rigor/xacro/value/literal.h>
 #include <rigor/xacro/value/near.h>
+#include <rigor/xacro/value/number_text.h>
 
 namespace rigor::xacro {
 namespace {
@@ -59,10 +60,10 @@ std::string Expander::macro_near(std::string_view name, MacroScope& macros) {
 void Expander::expand_dynamic_call(const Node& node, Names names, Node& out) {
   const NodeAttribute* macro = required(node, "macro");
   if (macro == nullptr) return;
-  const auto name = evaluate_text(macro->value, *names.values, macro->where);
+  const auto name = evaluate_text(*macro, names);
   if (!name) return;
   Node call = node;
-  std::erase_if(call.attributes, [](const NodeAttribute& a) { return a.name == "macro"; });
+  call.attributes.erase("macro");
   // Siblings and children are the node's own.
   expand_call(call, *name, names, out);
 }
@@ -203,8 +204,10 @@ void Expander::bind_defaults(const Node& node, const Macro& macro, Names caller,
       binding.from = used_;
     } else if (parameter.has_default) {
       used_ = {};
-      value = evaluate(parameter.text, *own.values, parameter.place);
-      if (templates_.of(parameter.text).is_reference) binding.from = used_;
+      value = evaluate(parameter.text, *own.values, parameter.place, parameter.code);
+      if (!has_no_dollar(parameter.code) &&
+          templates_.of(parameter.code, parameter.text).is_reference)
+        binding.from = used_;
     } else if (is_repeated(macro, i)) {
       report(FactKind::kBadName, macro.body->attribute("params")->where,
              std::string(parameter.name), "the macro lists it twice, and a call gives it once");
@@ -227,6 +230,8 @@ std::uint32_t Expander::push_call_frame(const Node& node, const Macro& macro, Sc
     std::string_view text = "…";
     if (v.is_text()) {
       text = v.as_text();
+    } else if (const auto number = short_number_text(v)) {
+      text = heap_.keep(number->view());
     } else if (v.is_number() || v.is(Type::kNone)) {
       if (const auto printed = evaluator_.text_of(v)) text = heap_.keep(*printed);
       evaluator_.take_failure();  // of a number with too many digits to show

@@ -22,7 +22,7 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
     incomplete_ = true;
     return;
   }
-  const auto name = evaluate_text(name_attribute->value, *names.values, name_attribute->where);
+  const auto name = evaluate_text(*name_attribute, names);
   if (!name) {
     incomplete_ = true;
     return;
@@ -42,7 +42,7 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   const auto flag = [&](std::string_view attribute, bool usual) -> std::optional<bool> {
     const NodeAttribute* found = node.attribute(attribute);
     if (found == nullptr || found->value.empty()) return usual;
-    return evaluate_condition(found->value, *names.values, found->where);
+    return evaluate_condition(*found, names);
   };
   const std::optional<bool> remove = flag("remove", false);
   if (!remove) return;
@@ -50,7 +50,7 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
     return report(FactKind::kPropertyConflict, name_attribute->where, key);
   }
   Symbol symbol = symbols_.of(key);
-  const bool known = names.values->find(symbol) != nullptr || is_builtin(symbol);
+  const bool known = names.values->find(symbol) != nullptr || !builtin(symbol).failed();
   if (*remove && known) {
     for (Scope* at = names.values; at != nullptr; at = at->parent()) at->own().erase(symbol);
     return;
@@ -78,7 +78,7 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   Binding binding;
   binding.place = value != nullptr ? value->where : node.where;
   binding.definition = static_cast<std::uint32_t>(definitions_.size());
-  if (is_builtin(symbol)) report(FactKind::kRedefinedBuiltin, name_attribute->where, key);
+  if (!builtin(symbol).failed()) report(FactKind::kRedefinedBuiltin, name_attribute->where, key);
   const Binding* before = otherwise == nullptr ? target->own().find(symbol) : nullptr;
   if (before != nullptr && before->definition != kNoDefinition &&
       definitions_[before->definition].where != name_attribute->where.span) {
@@ -106,10 +106,11 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   Value given = Value::text(value->value);
   if (!lazy) {
     used_ = {};
-    given = evaluate(value->value, *names.values, value->where);
+    given = evaluate(value->value, *names.values, value->where, value->code);
     binding.from = used_;
   }
   binding.lazy = lazy;
+  binding.code = value->code;
   bind(*target, symbol, given, binding);
 }
 
@@ -117,6 +118,9 @@ void Expander::bind(Scope& scope, Symbol symbol, Value value, Binding binding) {
   binding.value = literal_value(heap_, value);
   // What is a literal needs no evaluation any more.
   binding.lazy = binding.lazy && binding.value.is_text();
+  // The code is that of the text with its quotes.
+  if (binding.lazy && binding.value.size != value.size)
+    binding.code = templates_.code_of(binding.value.as_text());
   scope.own()[symbol] = binding;
 }
 
@@ -144,6 +148,8 @@ void Expander::define_macro(const Node& node, Names names, Node& out) {
   macro.file = file_stack_.back();
   if (const NodeAttribute* params = node.attribute("params")) {
     macro.parameters = parse_parameters(params->value, params->where, symbols_);
+    for (MacroParameter& parameter : macro.parameters)
+      parameter.code = templates_.code_of(parameter.text);
   }
   MacroEntry& entry = names.macros->own()[symbols_.of(name)];
   if (entry.macro != nullptr && entry.macro->body != &node) {
@@ -199,7 +205,7 @@ void Expander::expand_include(const Node& node, Names names, Node& out) {
   if (name == nullptr) return;
   Names inner = names;
   if (const NodeAttribute* ns = node.attribute("ns"); ns != nullptr && !ns->value.empty()) {
-    const auto space = evaluate_text(ns->value, *names.values, ns->where);
+    const auto space = evaluate_text(*ns, names);
     if (!space) return;
     name_spaces_made_ = true;
     inner.macros = &macro_scopes_.emplace_back(nullptr);
@@ -218,7 +224,7 @@ void Expander::expand_include(const Node& node, Names names, Node& out) {
     optional = *is;
   }
   if (const Node* child = node.first_element()) report(FactKind::kIgnoredChildren, child->where);
-  const auto written = evaluate_text(name->value, *names.values, name->where);
+  const auto written = evaluate_text(*name, names);
   Node& content = fragment();
   if (!written) {
     incomplete_ = true;

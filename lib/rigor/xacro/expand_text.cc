@@ -7,9 +7,11 @@
 #include <span>
 #include <utility>
 
+#include <rigor/xacro/builtins.h>
 #include <rigor/xacro/expander.h>
 #include <rigor/xacro/value/literal.h>
 #include <rigor/xacro/value/near.h>
+#include <rigor/xacro/value/number_text.h>
 #include <rigor/xacro/value/unicode.h>
 #include <rigor/xacro/yaml.h>
 
@@ -17,7 +19,7 @@ namespace rigor::xacro {
 namespace {
 
 bool has_no_code(std::string_view text, TextCode code) {
-  return code == TextCode::kPlain ||
+  return has_no_dollar(code) ||
          (code == TextCode::kUnknown && text.find('$') == std::string_view::npos);
 }
 
@@ -42,10 +44,11 @@ Value Expander::evaluate_joined(const TextTemplate& parts, std::string_view text
     used_ = {};
     const Value v = evaluate_segment(segment, scope, place);
     std::optional<std::string> printed;
-    if (!v.failed() && !v.is_text()) printed = evaluator_.text_of(v);
     if (v.is_text()) {
       joined_ += v.as_text();
-    } else if (printed) {
+    } else if (const auto number = short_number_text(v)) {
+      joined_ += number->view();
+    } else if (!v.failed() && (printed = evaluator_.text_of(v))) {
       joined_ += *printed;
     } else {
       if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
@@ -119,19 +122,20 @@ std::optional<std::string_view> Expander::evaluate_text(std::string_view text, S
   const Value v = evaluate(text, scope, place, code);
   if (v.failed()) return std::nullopt;
   if (v.is_text()) return v.as_text();
+  if (const auto number = short_number_text(v)) return heap_.keep(number->view());
   const auto printed = evaluator_.text_of(v);
   if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
   if (!printed) return std::nullopt;
   return heap_.keep(*printed);
 }
 
-std::optional<bool> Expander::evaluate_condition(std::string_view text, Scope& scope, Place place) {
+std::optional<bool> Expander::evaluate_condition(const NodeAttribute& attribute, Names names) {
   used_ = {};
-  const Value v = evaluate(text, scope, place);
+  const Value v = evaluate(attribute.value, *names.values, attribute.where, attribute.code);
   if (v.failed()) return std::nullopt;
   const std::optional<bool> is = boolean_value(heap_, v);
   if (!is)
-    report(FactKind::kNotBoolean, place,
+    report(FactKind::kNotBoolean, attribute.where,
            std::string(v.is_text() ? v.as_text() : std::string_view{}), {}, used_);
   return is;
 }
@@ -143,8 +147,7 @@ std::optional<Value> Expander::look_up(Scope& scope, Symbol name) {
     if (binding->definition != kNoDefinition) definitions_[binding->definition].used = true;
     return resolve(*binding, name, *home);
   }
-  if (is_builtin(name)) {
-    const Value v = builtins_[name];
+  if (const Value v = builtin(name); !v.failed()) {
     if (v.is(Type::kFunction)) {
       const std::string_view function = v.function_->name;
       const bool python = function == "sorted" || function == "range";
@@ -176,8 +179,8 @@ Value Expander::resolve(Binding& binding, Symbol name, Scope& scope) {
     resolving_.push_back(symbols_.name(name));
     const std::string_view text = binding.value.as_text();
     used_ = {};
-    const Value v = literal_value(heap_, evaluate(text, scope, binding.place));
-    if (used_ != Span{} && templates_.of(text).is_reference) binding.from = used_;
+    const Value v = literal_value(heap_, evaluate(text, scope, binding.place, binding.code));
+    if (used_ != Span{} && templates_.of(binding.code, text).is_reference) binding.from = used_;
     resolving_.pop_back();
     binding.resolving = false;
     binding.lazy = false;
@@ -238,9 +241,8 @@ std::string Expander::name_near(Scope& scope, std::string_view name) {
   for (Scope* at = &scope; at != nullptr; at = at->parent()) {
     for (const auto& [symbol, binding] : at->own()) candidates.push_back(symbols_.name(symbol));
   }
-  for (Symbol symbol = 0; symbol < builtins_.size(); ++symbol) {
-    if (is_builtin(symbol)) candidates.push_back(symbols_.name(symbol));
-  }
+  const std::vector<std::string_view> builtins = global_builtin_names();
+  candidates.insert(candidates.end(), builtins.begin(), builtins.end());
   // Thousands of names may be undefined, each in a thousand scopes.
   if (!evaluator_.work(candidates.size())) return {};
   std::sort(candidates.begin(), candidates.end());

@@ -7,18 +7,13 @@
 #include <utility>
 
 #include <rigor/text/path.h>
+#include <rigor/xacro/builtins.h>
 #include <rigor/xacro/value/compare.h>
 #include <rigor/xacro/value/literal.h>
 #include <rigor/xacro/value/unicode.h>
 
 namespace rigor::xacro {
 namespace {
-
-/// What the reference has without a module's name before it.
-constexpr std::string_view kGlobalFunctions[] = {"list",  "dict",   "map",  "len", "str",
-                                                 "float", "int",    "bool", "min", "max",
-                                                 "round", "sorted", "range"};
-constexpr std::string_view kGlobalXacroFunctions[] = {"load_yaml", "abs_filename", "dotify"};
 
 /// Whether two texts are the same; where they lie at one place, without a look at them.
 bool is_same(std::string_view a, std::string_view b) {
@@ -34,32 +29,14 @@ Expander::Expander(const World& world, const Options& options, Sources& sources)
       heap_(*(result_.heap = std::make_unique<Heap>(options.bounds.memory))),
       nodes_(*(result_.nodes = std::make_unique<Nodes>())),
       templates_(heap_, symbols_),
-      evaluator_(heap_, symbols_, options.bounds, *this) {
-  define_builtins();
-}
+      evaluator_(heap_, symbols_, options.bounds, *this) {}
 
-void Expander::define_builtins() {
-  for (const Module* module : {&kPythonModule, &kMathModule, &kXacroModule}) {
-    define_builtin(module->name, Value::module(*module));
-  }
-  for (const std::string_view name : kGlobalFunctions) {
-    define_builtin(name, *member_of(kPythonModule, name));
-  }
-  for (const std::string_view name : kGlobalXacroFunctions) {
-    define_builtin(name, *member_of(kXacroModule, name));
-  }
-  for (const Function& function : kMathModule.functions) {
-    define_builtin(function.name, Value::function(function));
-  }
-  for (const Constant& constant : kMathModule.constants) {
-    define_builtin(constant.name, Value::real(constant.value));
-  }
-}
-
-void Expander::define_builtin(std::string_view name, Value value) {
-  const Symbol symbol = symbols_.of_constant(name);
-  if (symbol >= builtins_.size()) builtins_.resize(symbol + 1, Value::error());
-  builtins_[symbol] = value;
+Value Expander::builtin(Symbol name) {
+  if (name >= builtins_.size()) builtins_.resize(symbols_.size(), Value::none());
+  Value& known = builtins_[name];
+  // Found when it is first asked for: of all, a template uses a handful.
+  if (known.is(Type::kNone)) known = global_builtin(symbols_.name(name)).value_or(Value::error());
+  return known;
 }
 
 Expansion Expander::run(const std::string& path) {
@@ -175,14 +152,17 @@ void Expander::expand_children(const Node& source, Names names, Node& out) {
         Node& made = new_node(*child);
         made.text = child->text;
         made.from = child->from;
-        made.code = child->code;
-        if (child->code != TextCode::kPlain) {
+        if (has_no_dollar(child->code)) {
+          made.code = child->code;
+        } else {
           used_ = child->from;
-          made.text = evaluate_text(child->text, *names.values, child->where).value_or(child->text);
+          made.text = evaluate_text(child->text, *names.values, child->where, child->code)
+                          .value_or(child->text);
           made.where.verbatim = made.where.verbatim && is_same(made.text, child->text);
           made.from = used_;
         }
-        if (in_comments && !stripped(made.text).empty()) in_comments = false;
+        if (in_comments && made.code != TextCode::kBlank && !stripped(made.text).empty())
+          in_comments = false;
         out.append(made);
         continue;
       }
@@ -248,7 +228,7 @@ void Expander::expand_attributes(const Node& node, Names names, Node& out) {
         (attribute.name.starts_with(kTagPrefix) || attribute.name == "xmlns:xacro"))
       continue;
     NodeAttribute made = attribute;
-    if (attribute.code != TextCode::kPlain) {
+    if (!has_no_dollar(attribute.code)) {
       used_ = attribute.from;
       made.value = evaluate_text(attribute, names).value_or(attribute.value);
       made.where.verbatim = attribute.where.verbatim && is_same(made.value, attribute.value);
@@ -265,7 +245,7 @@ void Expander::expand_attributes(const Node& node, Names names, Node& out) {
 
 void Expander::check_attributes(const Node& node, Names names) {
   for (const NodeAttribute& attribute : node.attributes) {
-    if (attribute.code == TextCode::kPlain || attribute.name.starts_with(kTagPrefix)) continue;
+    if (has_no_dollar(attribute.code) || attribute.name.starts_with(kTagPrefix)) continue;
     evaluate_text(attribute, names);
   }
 }
@@ -273,7 +253,7 @@ void Expander::check_attributes(const Node& node, Names names) {
 void Expander::expand_renamed(const Node& node, Names names, Node& out) {
   const NodeAttribute* name = required(node, "xacro:name");
   if (name == nullptr) return;
-  const auto tag = evaluate_text(name->value, *names.values, name->where);
+  const auto tag = evaluate_text(*name, names);
   if (!tag) return;
   if (tag->empty()) return report(FactKind::kBadName, name->where, "xacro:element", "it is empty");
   if (*tag == "xacro:element")
@@ -285,9 +265,9 @@ void Expander::expand_attribute_tag(const Node& node, Names names, Node& out) {
   const NodeAttribute* name = required(node, "name");
   const NodeAttribute* value = required(node, "value");
   if (name == nullptr || value == nullptr) return;
-  const auto key = evaluate_text(name->value, *names.values, name->where);
+  const auto key = evaluate_text(*name, names);
   used_ = {};
-  const auto text = evaluate_text(value->value, *names.values, value->where);
+  const auto text = evaluate_text(*value, names);
   if (!key || !text) return;
   if (key->empty())
     return report(FactKind::kBadName, name->where, "xacro:attribute", "it is empty");
@@ -304,7 +284,7 @@ void Expander::expand_condition(const Node& node, bool wanted, Names names, Node
     incomplete_ = true;
     return;
   }
-  const std::optional<bool> is = evaluate_condition(value->value, *names.values, value->where);
+  const std::optional<bool> is = evaluate_condition(*value, names);
   if (is && value->value.find('$') == std::string_view::npos)
     report(FactKind::kConstantCondition, value->where, *is ? "true" : "false");
   // What the branch defines is unknown.
@@ -371,7 +351,7 @@ void Expander::define_argument(const Node& node, Names names, Node& out) {
   const auto found = arguments_.find(name->value);
   if (found == arguments_.end()) {
     used_ = {};
-    const auto text = evaluate_text(value->value, *names.values, value->where);
+    const auto text = evaluate_text(*value, names);
     arguments_.emplace(name->value, Argument{text.value_or(std::string_view{}), value->where, !text,
                                              false, node.where.span});
   } else if (found->second.given && found->second.place.span.nowhere()) {
@@ -385,7 +365,8 @@ void Expander::define_argument(const Node& node, Names names, Node& out) {
 void Expander::drop_comments_before(const Node&, Node& out) {
   Node* previous = out.last;
   while (previous != nullptr) {
-    const bool skipped = previous->kind == NodeKind::kText && is_all_blank(previous->text) &&
+    const bool skipped = previous->kind == NodeKind::kText &&
+                         (previous->code == TextCode::kBlank || is_all_blank(previous->text)) &&
                          std::count(previous->text.begin(), previous->text.end(), '\n') <= 1;
     if (skipped) previous = previous->previous;
     if (previous == nullptr || previous->kind != NodeKind::kComment) return;

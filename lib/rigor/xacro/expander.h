@@ -66,11 +66,8 @@ class Expander final : public Host {
   };
 
   // expander.cc: nodes.
-  void define_builtins();
-  void define_builtin(std::string_view name, Value value);
-  bool is_builtin(Symbol name) const {
-    return name < builtins_.size() && !builtins_[name].failed();
-  }
+  /// An error where the reference has none of that name.
+  Value builtin(Symbol name);
   void expand_document(const File& file);
   void expand_children(const Node& source, Names names, Node& out);
   /// With the name that the element has when it is written, which may come from an expression.
@@ -138,12 +135,14 @@ class Expander final : public Host {
   std::optional<std::string_view> evaluate_text(const NodeAttribute& attribute, Names names) {
     return evaluate_text(attribute.value, *names.values, attribute.where, attribute.code);
   }
-  std::optional<bool> evaluate_condition(std::string_view text, Scope& scope, Place place);
+  std::optional<bool> evaluate_condition(const NodeAttribute& attribute, Names names);
   Value resolve(Binding& binding, Symbol name, Scope& scope);
 
   // substitution.cc: `$(…)`.
   Value run_command(std::string_view command, Scope& scope, Place place);
   std::optional<std::string> substitute(std::string_view text, bool only_find, Place place);
+  /// Of what is between `$(` and `)`.
+  std::optional<std::string> command_value(std::string_view command, Place place);
   std::optional<std::string> substitution_of(std::string_view command, std::string_view rest,
                                              Place place);
   Value evaluate_eval(std::string_view text, Place place);
@@ -176,7 +175,8 @@ class Expander final : public Host {
   TextTemplates templates_;
   Evaluator evaluator_;
 
-  std::vector<Value> builtins_;  ///< by symbol: the first ones; an error is none
+  std::vector<Value>
+      builtins_;  ///< by symbol: none is not asked for yet, an error is none of that name
   std::deque<Scope> scopes_;
   std::vector<Scope*> free_scopes_;
   std::deque<MacroScope> macro_scopes_;

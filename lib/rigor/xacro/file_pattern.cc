@@ -62,7 +62,8 @@ struct Search {
 }  // namespace
 
 bool is_file_pattern(std::string_view path) {
-  return path.find_first_of("*[?") != std::string_view::npos;
+  return std::any_of(path.begin(), path.end(),
+                     [](char c) { return c == '*' || c == '[' || c == '?'; });
 }
 
 bool matches_part(std::string_view name, std::string_view pattern) {

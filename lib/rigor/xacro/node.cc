@@ -23,14 +23,34 @@ Tag tag_of(std::string_view name) {
   return Tag::kCall;
 }
 
-const NodeAttribute* Node::attribute(std::string_view wanted) const {
-  const auto found = std::find_if(attributes.begin(), attributes.end(),
-                                  [wanted](const NodeAttribute& a) { return a.name == wanted; });
-  return found == attributes.end() ? nullptr : &*found;
+AttributeList::AttributeList(const AttributeList& other) : arena_(other.arena_) { *this = other; }
+
+AttributeList& AttributeList::operator=(const AttributeList& other) {
+  if (this == &other) return *this;
+  size_ = 0;
+  reserve(other.size_);
+  std::copy(other.begin(), other.end(), first_);
+  size_ = other.size_;
+  return *this;
 }
 
-void Node::set_attribute(NodeAttribute attribute) {
-  const auto found =
+void AttributeList::reserve(std::size_t room) {
+  if (room <= room_) return;
+  auto* const moved = static_cast<NodeAttribute*>(
+      arena_->take(room * sizeof(NodeAttribute), alignof(NodeAttribute)));
+  std::copy(begin(), end(), moved);
+  first_ = moved;
+  room_ = static_cast<std::uint32_t>(room);
+}
+
+const NodeAttribute* Node::attribute(std::string_view wanted) const {
+  const auto* found = std::find_if(attributes.begin(), attributes.end(),
+                                   [wanted](const NodeAttribute& a) { return a.name == wanted; });
+  return found == attributes.end() ? nullptr : found;
+}
+
+void Node::set_attribute(const NodeAttribute& attribute) {
+  auto* found =
       std::find_if(attributes.begin(), attributes.end(),
                    [&attribute](const NodeAttribute& a) { return a.name == attribute.name; });
   if (found == attributes.end()) {
@@ -38,14 +58,6 @@ void Node::set_attribute(NodeAttribute attribute) {
   } else {
     *found = attribute;
   }
-}
-
-void Node::append(Node& child) {
-  child.parent = this;
-  child.previous = last;
-  child.next = nullptr;
-  (last != nullptr ? last->next : first) = &child;
-  last = &child;
 }
 
 void Node::take_children(Node& other) {

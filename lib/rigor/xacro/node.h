@@ -9,14 +9,14 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory_resource>
 #include <new>
 #include <string_view>
-#include <vector>
 
 #include <rigor/text/span.h>
+#include <rigor/xacro/arena.h>
 
 namespace rigor::xacro {
 
@@ -35,9 +35,13 @@ struct Place {
   }
 };
 
-/// What is known of a text before it is evaluated: nothing, that it holds no `$`, or the number of the
-/// text among those that `TextTemplates` takes apart.
-enum class TextCode : std::uint32_t { kUnknown, kPlain, kFirst };
+/// What is known of a text before it is evaluated: nothing, that it is white space alone, that it holds no
+/// `$`, or the number of the text among those that `TextTemplates` takes apart.
+enum class TextCode : std::uint32_t { kUnknown, kBlank, kPlain, kFirst };
+
+inline bool has_no_dollar(TextCode code) {
+  return code == TextCode::kPlain || code == TextCode::kBlank;
+}
 
 struct NodeAttribute {
   std::string_view name;
@@ -45,6 +49,43 @@ struct NodeAttribute {
   Place where;             ///< of the value as it is written, without the quotes
   Span from = {};          ///< where a property, argument or YAML value in it is set; else nowhere
   TextCode code = TextCode::kUnknown;
+};
+
+/// In the memory of the nodes.
+class AttributeList {
+ public:
+  explicit AttributeList(Arena& arena) : arena_(&arena) {}
+  AttributeList(const AttributeList& other);
+  AttributeList& operator=(const AttributeList& other);
+
+  const NodeAttribute* begin() const { return first_; }
+  const NodeAttribute* end() const { return first_ + size_; }
+  NodeAttribute* begin() { return first_; }
+  NodeAttribute* end() { return first_ + size_; }
+  const NodeAttribute& operator[](std::size_t index) const { return first_[index]; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void reserve(std::size_t room);
+  void push_back(const NodeAttribute& attribute) {
+    if (size_ == room_) {
+      const NodeAttribute kept = attribute;
+      reserve(size_ == 0 ? 2 : 2 * std::size_t{size_});
+      first_[size_++] = kept;
+      return;
+    }
+    first_[size_++] = attribute;
+  }
+  void erase(std::string_view name) {
+    const auto* last =
+        std::remove_if(begin(), end(), [name](const NodeAttribute& a) { return a.name == name; });
+    size_ = static_cast<std::uint32_t>(last - first_);
+  }
+
+ private:
+  Arena* arena_;
+  NodeAttribute* first_ = nullptr;
+  std::uint32_t size_ = 0;
+  std::uint32_t room_ = 0;
 };
 
 enum class NodeKind : std::uint8_t { kElement, kText, kCData, kComment, kInstruction, kDoctype };
@@ -76,7 +117,7 @@ struct Node {
   std::uint32_t frame = 0;     ///< index in `Expansion::frames`; 0 is the file itself
   std::string_view name = {};  ///< of an element; the target of an instruction
   std::string_view text = {};  ///< of all others
-  std::pmr::vector<NodeAttribute> attributes = {};
+  AttributeList attributes;
   Node* parent = nullptr;
   Node* previous = nullptr;
   Node* next = nullptr;
@@ -87,8 +128,14 @@ struct Node {
   TextCode code = TextCode::kUnknown;
 
   const NodeAttribute* attribute(std::string_view wanted) const;
-  void set_attribute(NodeAttribute attribute);
-  void append(Node& child);
+  void set_attribute(const NodeAttribute& attribute);
+  void append(Node& child) {
+    child.parent = this;
+    child.previous = last;
+    child.next = nullptr;
+    (last != nullptr ? last->next : first) = &child;
+    last = &child;
+  }
   /// All children of another node, behind those that are there.
   void take_children(Node& other);
   void remove(Node& child);
@@ -102,13 +149,12 @@ class Nodes {
  public:
   Node& emplace_back() {
     // Never destroyed: all that a node owns is in this memory.
-    return *new (memory_.allocate(sizeof(Node), alignof(Node)))
-        Node{.attributes = std::pmr::vector<NodeAttribute>(&memory_)};
+    return *new (arena_.take(sizeof(Node), alignof(Node)))
+        Node{.attributes = AttributeList(arena_)};
   }
 
  private:
-  static constexpr std::size_t kFirstBlock = std::size_t{32} << 10U;
-  std::pmr::monotonic_buffer_resource memory_{kFirstBlock};
+  Arena arena_;
 };
 
 }  // namespace rigor::xacro

@@ -7,6 +7,7 @@
 #include <rigor/xacro/scope.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,10 @@
 namespace rigor::xacro {
 namespace {
 
-bool is_blank_byte(char c) { return is_blank(static_cast<unsigned char>(c)); }
+bool is_blank_byte(char c) {
+  if (static_cast<signed char>(c) > ' ') return false;
+  return is_blank(static_cast<unsigned char>(c));
+}
 
 bool is_quote(char c) { return c == '\'' || c == '"'; }
 
@@ -98,8 +102,12 @@ class ParameterReader {
         if (ends_at(at + 1)) return at + 1;
       }
     }
+    std::size_t plain = begin;
+    while (!ends_at(plain) && !is_quote(text_[plain])) ++plain;
+    if (ends_at(plain)) return plain;
     dead_.assign(text_.size() + 1, false);
-    if (std::count_if(rest.begin(), rest.end(), is_quote) > kMaxQuotes) return std::nullopt;
+    if (!quotes_) quotes_ = std::count_if(text_.begin(), text_.end(), is_quote);
+    if (*quotes_ > kMaxQuotes) return std::nullopt;
     if (const auto end = end_of_pieces(begin); end && *end > begin) return end;
     if (ends_at(begin)) return begin;
     return std::nullopt;
@@ -125,6 +133,7 @@ class ParameterReader {
   Place place_;
   Symbols& symbols_;
   std::size_t at_ = 0;
+  std::optional<std::ptrdiff_t> quotes_;
   std::vector<bool> dead_;  // where a quote has been found to lead nowhere
 };
 

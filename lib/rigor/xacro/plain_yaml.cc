@@ -4,6 +4,7 @@
 #include <rigor/xacro/plain_yaml.h>
 
 #include <algorithm>
+#include <array>
 
 namespace rigor::xacro {
 namespace {
@@ -13,14 +14,19 @@ constexpr std::string_view kQuoted = "!";
 
 constexpr std::string_view kNulls[] = {"~", "null", "Null", "NULL"};
 
-bool is_yaml_word(char c) {
+constexpr bool is_yaml_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 /// What has no meaning of its own anywhere within a plain scalar.
-bool is_plain_scalar_byte(char c) {
-  return is_yaml_word(c) || std::string_view(".+-/()$*^~=<>,{} ").find(c) != std::string_view::npos;
-}
+constexpr std::array<bool, 256> kIsPlainScalarByte = [] {
+  std::array<bool, 256> plain{};
+  for (std::size_t c = 0; c < plain.size(); ++c) plain[c] = is_yaml_word(static_cast<char>(c));
+  for (const char c : std::string_view(".+-/()$*^~=<>,{} "))
+    plain[static_cast<unsigned char>(c)] = true;
+  return plain;
+}();
+bool is_plain_scalar_byte(char c) { return kIsPlainScalarByte[static_cast<unsigned char>(c)]; }
 
 class PlainYamlReader {
  public:

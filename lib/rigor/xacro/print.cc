@@ -3,8 +3,8 @@
 
 #include <rigor/xacro/print.h>
 
-#include <algorithm>
 #include <array>
+#include <cstring>
 #include <vector>
 
 #include <rigor/xacro/value/unicode.h>
@@ -19,18 +19,23 @@ constexpr std::array<bool, 256> kIsEscaped = [] {
   return escaped;
 }();
 
+bool comes_before(const NodeAttribute* a, const NodeAttribute* b) { return a->name < b->name; }
+
+/// Appends to a text that is mostly long enough already.
 class Printer {
  public:
-  void escaped(std::string_view text) {
-    std::size_t written = 0;
-    for (std::size_t at = 0; at < text.size(); ++at) {
-      const char c = text[at];
-      if (!kIsEscaped[static_cast<unsigned char>(c)]) continue;
-      out += text.substr(written, at - written);
-      out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : "&quot;";
-      written = at + 1;
-    }
-    out += text.substr(written);
+  /// Most robots need no more than this once or twice.
+  Printer() : out_(std::size_t{16} << 10U, '\0') {}
+
+  std::string take() {
+    out_.resize(size_);
+    return std::move(out_);
+  }
+
+  void put(std::string_view text) {
+    if (text.size() > out_.size() - size_) grow(text.size());
+    std::memcpy(out_.data() + size_, text.data(), text.size());
+    size_ += text.size();
   }
 
   void node(const Node& node, std::size_t level) {
@@ -39,76 +44,93 @@ class Printer {
       case NodeKind::kText:
         indent(level);
         escaped(node.text);
-        out += '\n';
-        return;
+        return put("\n");
       case NodeKind::kCData:
-        out += "<![CDATA[";
-        out += node.text;
-        out += "]]>";
-        return;
+        put("<![CDATA[");
+        put(node.text);
+        return put("]]>");
       case NodeKind::kComment:
         indent(level);
-        out += "<!--";
-        out += node.text;
-        out += "-->\n";
-        return;
+        put("<!--");
+        put(node.text);
+        return put("-->\n");
       case NodeKind::kInstruction:
         indent(level);
-        out += "<?";
-        out += node.name;
-        out += ' ';
-        out += node.text;
-        out += "?>\n";
-        return;
-      case NodeKind::kDoctype:
-        out += node.text;
-        out += '\n';
-        return;
+        put("<?");
+        put(node.name);
+        put(" ");
+        put(node.text);
+        return put("?>\n");
+      case NodeKind::kDoctype: put(node.text); return put("\n");
     }
   }
 
-  std::string out;
-
  private:
-  void indent(std::size_t level) { out.append(2 * level, ' '); }
+  void grow(std::size_t more) { out_.resize(2 * (out_.size() + more)); }
+
+  void indent(std::size_t level) {
+    if (2 * level > out_.size() - size_) grow(2 * level);
+    std::memset(out_.data() + size_, ' ', 2 * level);
+    size_ += 2 * level;
+  }
+
+  void escaped(std::string_view text) {
+    std::size_t written = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+      const char c = text[at];
+      if (!kIsEscaped[static_cast<unsigned char>(c)]) continue;
+      put(text.substr(written, at - written));
+      put(c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : "&quot;");
+      written = at + 1;
+    }
+    put(text.substr(written));
+  }
+
+  static bool is_blank(const Node& node) {
+    return node.kind == NodeKind::kText &&
+           (node.code == TextCode::kBlank || stripped(node.text).empty());
+  }
+
+  void attributes(const Node& node) {
+    sorted_.clear();
+    for (const NodeAttribute& attribute : node.attributes) {
+      // There are few.
+      auto place = sorted_.end();
+      while (place != sorted_.begin() && comes_before(&attribute, place[-1])) --place;
+      sorted_.insert(place, &attribute);
+    }
+    for (const NodeAttribute* attribute : sorted_) {
+      put(" ");
+      put(attribute->name);
+      put("=\"");
+      escaped(attribute->value);
+      put("\"");
+    }
+  }
 
   void element(const Node& node, std::size_t level) {
     indent(level);
-    out += '<';
-    out += node.name;
-    sorted_.clear();
-    for (const NodeAttribute& attribute : node.attributes) sorted_.push_back(&attribute);
-    if (sorted_.size() > 1) {
-      std::sort(sorted_.begin(), sorted_.end(),
-                [](const auto* a, const auto* b) { return a->name < b->name; });
-    }
-    for (const NodeAttribute* attribute : sorted_) {
-      out += ' ';
-      out += attribute->name;
-      out += "=\"";
-      escaped(attribute->value);
-      out += '"';
-    }
-    if (node.first == nullptr) {
-      out += "/>\n";
-      return;
-    }
-    out += '>';
+    put("<");
+    put(node.name);
+    attributes(node);
+    if (node.first == nullptr) return put("/>\n");
+    put(">");
     if (node.first == node.last && node.first->kind == NodeKind::kText) {
       escaped(node.first->text);
     } else {
-      out += '\n';
+      put("\n");
       for (const Node* child = node.first; child != nullptr; child = child->next) {
-        const bool blank = child->kind == NodeKind::kText && stripped(child->text).empty();
-        if (!blank) this->node(*child, level + 1);
+        if (!is_blank(*child)) this->node(*child, level + 1);
       }
       indent(level);
     }
-    out += "</";
-    out += node.name;
-    out += ">\n";
+    put("</");
+    put(node.name);
+    put(">\n");
   }
 
+  std::string out_;
+  std::size_t size_ = 0;
   std::vector<const NodeAttribute*> sorted_;  ///< of the element at hand
 };
 
@@ -122,17 +144,15 @@ std::string padded_to(std::string_view text, std::size_t width) {
 
 std::string print(const Node& document, std::string_view path) {
   Printer printer;
-  // Most robots need no more than this once or twice.
-  printer.out.reserve(std::size_t{16} << 10U);
   const std::string line(83, '=');
-  printer.out = "<?xml version=\"1.0\" ?>\n<!-- " + line +
-                " -->\n<!-- |    This document was autogenerated by xacro from " +
-                padded_to(path, 30) +
-                " | -->\n<!-- |    EDITING THIS FILE BY HAND IS NOT RECOMMENDED  " +
-                padded_to("", 30) + " | -->\n<!-- " + line + " -->\n";
+  printer.put("<?xml version=\"1.0\" ?>\n<!-- " + line +
+              " -->\n<!-- |    This document was autogenerated by xacro from " +
+              padded_to(path, 30) +
+              " | -->\n<!-- |    EDITING THIS FILE BY HAND IS NOT RECOMMENDED  " +
+              padded_to("", 30) + " | -->\n<!-- " + line + " -->\n");
   for (const Node* child = document.first; child != nullptr; child = child->next)
     printer.node(*child, 0);
-  return std::move(printer.out);
+  return printer.take();
 }
 
 }  // namespace rigor::xacro

@@ -156,8 +156,10 @@ void Expander::report_degrees(const Expression& expression, Place place) {
 void Expander::report_missing_prefix(const Node& node, MacroScope& macros) {
   constexpr std::string_view kElements[] = {"link",   "joint",    "material",    "gazebo",
                                             "sensor", "inertial", "transmission"};
-  if (std::find(std::begin(kElements), std::end(kElements), node.name) != std::end(kElements))
-    return;
+  const auto is_name = [&node](std::string_view known) {
+    return known.size() == node.name.size() && known[0] == node.name[0] && known == node.name;
+  };
+  if (std::any_of(std::begin(kElements), std::end(kElements), is_name)) return;
   const MacroEntry* entry = macros.find(symbols_.of(node.name));
   if (entry == nullptr || entry->macro == nullptr || entry->macro->parameters.empty()) return;
   const auto& parameters = entry->macro->parameters;

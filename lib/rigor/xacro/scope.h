@@ -84,8 +84,9 @@ struct Binding {
   bool lazy = false;       ///< the value is a text that its first use evaluates
   bool resolving = false;  ///< and that is under way
   bool used = false;
-  Place place = {};  ///< where the value is written
-  Span from = {};    ///< where the property or YAML value that it refers to is
+  TextCode code = TextCode::kUnknown;  ///< of the text
+  Place place = {};                    ///< where the value is written
+  Span from = {};                      ///< where the property or YAML value that it refers to is
   std::uint32_t definition = kNoDefinition;  ///< which property's
 };
 
@@ -134,6 +135,7 @@ struct MacroParameter {
   bool has_default = false;
   bool forwards = false;  ///< `^`: takes the caller's property of the same name
   std::string_view text;  ///< of the default, behind `^|` when it forwards
+  TextCode code = TextCode::kUnknown;
   Place place = {};
   bool used = false;
 };

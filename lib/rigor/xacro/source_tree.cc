@@ -4,7 +4,6 @@
 #include <rigor/xacro/source_tree.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -45,23 +44,6 @@ std::string fault_words(const xml::Fault& fault) {
     case Kind::kNoSpaceBetween: return "there is no space between attributes";
     default: return "the file is refused";
   }
-}
-
-/// What a value is examined for, byte by byte: most are short.
-enum ValueByte : std::uint8_t { kDecodedByte = 1, kDollarByte = 2, kLineByte = 4 };
-
-constexpr std::array<std::uint8_t, 256> kValueBytes = [] {
-  std::array<std::uint8_t, 256> bytes{};
-  for (const char c : {'&', '\r'}) bytes[static_cast<unsigned char>(c)] = kDecodedByte;
-  for (const char c : {'\n', '\t'}) bytes[static_cast<unsigned char>(c)] = kLineByte;
-  bytes[static_cast<unsigned char>('$')] = kDollarByte;
-  return bytes;
-}();
-
-std::uint8_t bytes_in(std::string_view raw) {
-  std::uint8_t found = 0;
-  for (const char c : raw) found |= kValueBytes[static_cast<unsigned char>(c)];
-  return found;
 }
 
 class SourceReader {
@@ -109,18 +91,20 @@ class SourceReader {
     return heap_.keep(text);
   }
 
-  void take_attribute(std::string_view name, Span span) {
+  void take_attribute(const xml::Attribute attribute, Node& node) {
+    const Span span = attribute.value_span();
     const std::string_view raw = bytes_.substr(span.begin, span.size());
-    const std::uint8_t found = bytes_in(raw);
-    const std::string_view value = (found & ~kDollarByte) == 0 ? raw : flattened(raw);
+    const std::uint8_t found = attribute.content();
+    const std::string_view value =
+        (found & (xml::kCodeByte | xml::kLineByte)) == 0 ? raw : flattened(raw);
     // A reference may represent a dollar.
-    const bool plain =
-        (found & (kDollarByte | kDecodedByte)) == 0 || value.find('$') == std::string_view::npos;
-    attributes_.push_back({name,
-                           value,
-                           {span, value.size() == raw.size()},
-                           {},
-                           plain ? TextCode::kPlain : templates_.new_code()});
+    const bool plain = (found & (xml::kDollarByte | xml::kCodeByte)) == 0 ||
+                       value.find('$') == std::string_view::npos;
+    node.attributes.push_back({attribute.name(),
+                               value,
+                               {span, value.size() == raw.size()},
+                               {},
+                               plain ? TextCode::kPlain : templates_.new_code()});
   }
 
   /// An attribute's value with references replaced and each line end, each tab as a space.
@@ -136,7 +120,7 @@ class SourceReader {
   void take(const xml::Token& token) {
     const std::string_view raw = bytes_.substr(token.begin, token.end - token.begin);
     switch (token.kind) {
-      case xml::TokenKind::kText: return take_text(raw, token.begin, true);
+      case xml::TokenKind::kText: return take_text(raw, token.begin, token.content);
       case xml::TokenKind::kCData: return take_cdata(raw, token.begin);
       case xml::TokenKind::kStartTag:
       case xml::TokenKind::kEmptyTag: return take_tag(token);
@@ -153,10 +137,9 @@ class SourceReader {
     }
   }
 
-  void take_text(std::string_view raw, std::size_t begin, bool references) {
+  void take_text(std::string_view raw, std::size_t begin, std::uint8_t content) {
     if (open_->parent == nullptr || raw.empty()) return;  // outside of the root
-    const std::uint8_t found = bytes_in(raw);
-    const std::string_view text = (found & kDecodedByte) == 0 ? raw : decoded(raw, references);
+    const std::string_view text = (content & xml::kCodeByte) == 0 ? raw : decoded(raw, true);
     Node* before = open_->last;
     if (before != nullptr && before->kind == NodeKind::kText) {
       // What an empty CDATA section parted.
@@ -166,7 +149,11 @@ class SourceReader {
       return;
     }
     add(NodeKind::kText, {}, text, place(begin, begin + raw.size(), text.data() == raw.data()));
-    if (found == 0 || found == kLineByte) open_->last->code = TextCode::kPlain;
+    if ((content & xml::kMarkByte) == 0) {
+      open_->last->code = TextCode::kBlank;
+    } else if ((content & (xml::kCodeByte | xml::kDollarByte)) == 0) {
+      open_->last->code = TextCode::kPlain;
+    }
   }
 
   void take_cdata(std::string_view raw, std::size_t begin) {
@@ -190,11 +177,8 @@ class SourceReader {
     node.name = element.name();
     node.tag = tag_of(node.name);
     node.where = {element.tag_span(), true};
-    attributes_.clear();
-    for (const xml::Attribute attribute : element.attributes()) {
-      take_attribute(attribute.name(), attribute.value_span());
-    }
-    node.attributes.assign(attributes_.begin(), attributes_.end());
+    node.attributes.reserve(element.attribute_count());
+    for (const xml::Attribute attribute : element.attributes()) take_attribute(attribute, node);
     open_->append(node);
     if (token.kind == xml::TokenKind::kStartTag) open_ = &node;
   }
@@ -215,7 +199,6 @@ class SourceReader {
   xml::Document document_;
   Node* open_ = nullptr;
   std::uint32_t next_element_ = 0;
-  std::vector<NodeAttribute> attributes_;  ///< of the tag at hand
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 // `$(find NAME)`, `$(arg NAME)`, `$(env NAME)`, `$(optenv NAME default)`, `$(dirname)`, `$(cwd)` and
 // `$(eval …)`, as roslaunch had them.
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,15 @@ std::vector<std::string_view> words_of(std::string_view command) {
     command.remove_prefix(std::min(end + 1, command.size()));
   }
   return words;
+}
+
+std::string_view first_word(std::string_view command) {
+  command.remove_prefix(std::min(command.find_first_not_of(' '), command.size()));
+  return command.substr(0, command.find(' '));
+}
+
+bool is_known_command(std::string_view name) {
+  return name == "find" || name == "env" || name == "optenv" || name == "dirname" || name == "arg";
 }
 
 /// What `$(eval …)` makes of an argument's text.
@@ -51,7 +61,9 @@ Value Expander::run_command(std::string_view written, Scope& scope, Place place)
     const auto value = argument(command->substr(4));
     if (value && value->find('$') == std::string_view::npos) return Value::text(*value);
   }
-  const auto once = substitute("$(" + std::string(*command) + ')', false, place);
+  const auto once = command->find_first_of("$()") == std::string_view::npos && !command->empty()
+                        ? command_value(*command, place)
+                        : substitute("$(" + std::string(*command) + ')', false, place);
   if (!once) return Value::error();
   // What an argument brought may hold a `$(find …)` of its own.
   const auto twice = once->find('$') == std::string::npos ? once : substitute(*once, true, place);
@@ -77,17 +89,10 @@ std::optional<std::string> Expander::substitute(std::string_view text, bool only
       report(FactKind::kBadCommand, place, std::string(command), "$ and ( cannot be in a command");
       return std::nullopt;
     }
-    const std::vector<std::string_view> words = words_of(command);
-    const std::string_view name = words.empty() ? std::string_view{} : words[0];
-    const bool known =
-        name == "find" || name == "env" || name == "optenv" || name == "dirname" || name == "arg";
-    if (!known) {
-      report(FactKind::kUnknownCommand, place, std::string(name));
-      return std::nullopt;
+    if (only_find && first_word(command) != "find") {
+      if (is_known_command(first_word(command))) continue;
     }
-    if (only_find && name != "find") continue;
-    const auto value =
-        substitution_of(name, command.substr(command.find(name) + name.size()), place);
+    const auto value = command_value(command, place);
     if (!value) return std::nullopt;
     const std::string whole = "$(" + std::string(command) + ')';
     for (std::size_t found = result.find(whole); found != std::string::npos;
@@ -100,6 +105,15 @@ std::optional<std::string> Expander::substitute(std::string_view text, bool only
     }
   }
   return result;
+}
+
+std::optional<std::string> Expander::command_value(std::string_view command, Place place) {
+  const std::string_view name = first_word(command);
+  if (!is_known_command(name)) {
+    report(FactKind::kUnknownCommand, place, std::string(name));
+    return std::nullopt;
+  }
+  return substitution_of(name, command.substr(command.find(name) + name.size()), place);
 }
 
 std::optional<std::string> Expander::substitution_of(std::string_view command,
@@ -162,7 +176,7 @@ Value Expander::evaluate_eval(std::string_view text, Place place) {
     scope.own()[symbols_.of(name)].value = Value::boolean(name == "true");
   for (const Function& function : kPythonModule.functions) {
     const Symbol symbol = symbols_.of(function.name);
-    if (!is_builtin(symbol)) scope.own()[symbol].value = Value::function(function);
+    if (builtin(symbol).failed()) scope.own()[symbol].value = Value::function(function);
   }
   const Value v = evaluate_expression(text, templates_.expression(heap_.keep(stripped(text))),
                                       scope, {place.span, false});

@@ -46,7 +46,11 @@ bool all_in(std::string_view text, std::string_view characters) {
   return text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-constexpr std::string_view kDigitsAndJoints = "0123456789_";
+/// Digits, and `_` between them.
+bool all_digits(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return (c >= '0' && c <= '9') || c == '_'; });
+}
 
 bool is_decimal_start(std::string_view text) {
   return !text.empty() && text[0] >= '0' && text[0] <= '9';
@@ -55,8 +59,7 @@ bool is_decimal_start(std::string_view text) {
 /// `1:30`, minutes and seconds: 60 to the next part. The text before the first colon is checked.
 bool is_sexagesimal(std::string_view text) {
   std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos || colon == 0 ||
-      !all_in(text.substr(0, colon), kDigitsAndJoints))
+  if (colon == std::string_view::npos || colon == 0 || !all_digits(text.substr(0, colon)))
     return false;
   while (colon != std::string_view::npos) {
     text.remove_prefix(colon + 1);
@@ -79,15 +82,12 @@ bool is_yaml_float(std::string_view text) {
   const std::size_t point = text.find('.');
   if (point == std::string_view::npos) return false;
   const std::string_view whole = text.substr(0, point);
-  if (is_sexagesimal(whole))
-    return is_decimal_start(whole) && all_in(text.substr(point + 1), kDigitsAndJoints);
-  if (whole.empty() ? is_signed : !is_decimal_start(whole) || !all_in(whole, kDigitsAndJoints))
-    return false;
+  if (is_sexagesimal(whole)) return is_decimal_start(whole) && all_digits(text.substr(point + 1));
+  if (whole.empty() ? is_signed : !is_decimal_start(whole) || !all_digits(whole)) return false;
   std::string_view rest = text.substr(point + 1);
   const std::size_t e = std::min(rest.find_first_of("eE"), rest.size());
   const std::string_view fraction = rest.substr(0, e);
-  if (!all_in(fraction, kDigitsAndJoints) || (whole.empty() && !is_decimal_start(fraction)))
-    return false;
+  if (!all_digits(fraction) || (whole.empty() && !is_decimal_start(fraction))) return false;
   if (e == rest.size()) return true;
   const std::string_view exponent = rest.substr(e + 1);
   return exponent.size() > 1 && (exponent[0] == '+' || exponent[0] == '-') &&
@@ -102,7 +102,7 @@ bool is_yaml_integer(std::string_view text) {
   if (text.starts_with("0x"))
     return text.size() > 2 && all_in(text.substr(2), "0123456789abcdefABCDEF_");
   if (text[0] == '0') return all_in(text, "01234567_");
-  return all_in(text, kDigitsAndJoints) || is_sexagesimal(text);
+  return all_digits(text) || is_sexagesimal(text);
 }
 
 bool is_yaml_date(std::string_view text) {
@@ -277,6 +277,7 @@ class YamlBuilder final : public YAML::EventHandler {
     if (done.map) {
       // Merged entries come first, as if they were written there; own ones win.
       Entries& entries = *done.value.dictionary_->entries;
+      entries.list.reserve(done.merged.size() + done.entries.size());
       for (const Entry& entry : done.merged)
         set_entry(entries, entry.key, entry.value, entry.place);
       for (const Entry& entry : done.entries)
@@ -376,6 +377,11 @@ class YamlBuilder final : public YAML::EventHandler {
   Value number_or_text(std::string_view text, Span where) {
     constexpr std::string_view kNumberStarts = "+-.0123456789";
     if (kNumberStarts.find(text[0]) != std::string_view::npos) {
+      // As nearly all are; YAML takes a zero before other digits for a number to the base 8.
+      const std::size_t first = text[0] == '-' || text[0] == '+' ? 1 : 0;
+      if (text.size() > first + 1 ? text[first] != '0' || text[first + 1] == '.' : true) {
+        if (const Value number = plain_decimal(text); !number.failed()) return number;
+      }
       if (is_yaml_float(text)) return yaml_float(text);
       if (is_yaml_integer(text)) {
         const Value n = yaml_integer(heap_, text);

@@ -41,9 +41,10 @@ constexpr std::size_t kBlock = 32;
 bool is_plain(const char* block) {
   unsigned char odd = 0;
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const auto byte = static_cast<unsigned char>(block[i]);
+    // What is no ASCII is less than a blank, too, as a signed number.
+    const auto byte = static_cast<signed char>(block[i]);
     const bool space = (byte == '\t') | (byte == '\n') | (byte == '\r');
-    odd = static_cast<unsigned char>(odd | (byte >= 0x80) | ((byte < 0x20) & !space));
+    odd = static_cast<unsigned char>(odd | ((byte < 0x20) & !space));
   }
   return odd == 0;
 }

@@ -55,7 +55,8 @@ Decoded decode(std::string_view raw) {
   Decoded result;
   result.text.reserve(raw.size());
   for (std::size_t at = 0; at < raw.size();) {
-    const std::size_t special = std::min(raw.find_first_of("&\r", at), raw.size());
+    std::size_t special = at;
+    while (special < raw.size() && raw[special] != '&' && raw[special] != '\r') ++special;
     result.text += raw.substr(at, special - at);
     at = special;
     if (at == raw.size()) break;

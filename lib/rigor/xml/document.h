@@ -16,8 +16,9 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +46,8 @@ class Attribute {
   Span span() const;
   /// Whether `value()` is the file's own bytes, so that an offset in one is an offset in the other.
   bool verbatim() const;
+  /// `ContentByte`s among its bytes as they are written.
+  std::uint8_t content() const;
 
  private:
   const Document* document_;
@@ -99,6 +102,7 @@ class Element {
   Range<Element> children() const;
   std::optional<Element> child(std::string_view name) const;  ///< the first of that name
   Range<Attribute> attributes() const;
+  std::size_t attribute_count() const;
   std::optional<Attribute> attribute(std::string_view name) const;
 
   /// The value as a consumer takes it: the first run of text, if nothing but comments stands before
@@ -154,6 +158,7 @@ class Document {
     std::uint32_t name_begin;
     std::uint32_t name_end;
     TextRecord value;
+    std::uint8_t content;
   };
   struct ElementRecord {
     std::uint32_t begin;
@@ -183,7 +188,7 @@ class Document {
   std::vector<Token> tokens_;
   std::vector<ElementRecord> elements_;
   std::vector<AttributeRecord> attributes_;
-  std::deque<std::string> decoded_;
+  std::vector<std::unique_ptr<std::string>> decoded_;  ///< few, and each stays where it is
   std::vector<Fault> faults_;
   bool complete_ = true;
 };
@@ -203,7 +208,7 @@ inline Range<Attribute>::Iterator& Range<Attribute>::Iterator::operator++() {
 // One load each: a linter asks them for every element of every file.
 
 inline std::string_view Document::decoded(const TextRecord& text) const {
-  if (text.decoded != kNone) return decoded_[text.decoded];
+  if (text.decoded != kNone) return *decoded_[text.decoded];
   return between(text.begin, text.end);
 }
 
@@ -239,6 +244,8 @@ inline Span Attribute::span() const {
 inline bool Attribute::verbatim() const {
   return document_->attributes_[index_].value.decoded == Document::kNone;
 }
+
+inline std::uint8_t Attribute::content() const { return document_->attributes_[index_].content; }
 
 inline std::string_view Element::name() const {
   const auto& record = document_->elements_[index_];
@@ -280,6 +287,11 @@ inline std::optional<Element> Element::child(std::string_view name) const {
 inline Range<Attribute> Element::attributes() const {
   const auto& record = document_->elements_[index_];
   return {*document_, record.first_attribute, record.attribute_end};
+}
+
+inline std::size_t Element::attribute_count() const {
+  const auto& record = document_->elements_[index_];
+  return record.attribute_end - record.first_attribute;
 }
 
 inline std::optional<Attribute> Element::attribute(std::string_view name) const {

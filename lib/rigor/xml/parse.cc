@@ -21,14 +21,13 @@
 namespace rigor::xml {
 namespace {
 
-/// What a byte may be part of; in a table, since every byte of a tag is asked.
+/// What a byte may be part of, beside what it is for a value; in a table, since every byte of a tag is asked.
 enum ByteClass : std::uint8_t {
-  kSpaceByte = 1,
-  kNameStartByte = 2,
-  kNameByte = 4,
-  kColonByte = 8,
-  kAngleByte = 16,  ///< a `<`, which no value may hold
-  kCodeByte = 32,   ///< what a value is decoded for
+  kColonByte = kMarkByte,  // no text asks for this
+  kSpaceByte = 16,
+  kNameStartByte = 32,
+  kNameByte = 64,
+  kAngleByte = 128,  ///< a `<`, which no value may hold
 };
 
 constexpr std::array<std::uint8_t, 256> kByteClasses = [] {
@@ -43,12 +42,13 @@ constexpr std::array<std::uint8_t, 256> kByteClasses = [] {
   classes['<'] |= kAngleByte;
   classes['&'] |= kCodeByte;
   classes['\r'] |= kCodeByte;
+  for (const char c : {'\n', '\t'}) classes[static_cast<unsigned char>(c)] |= kLineByte;
+  classes['$'] |= kDollarByte;
   return classes;
 }();
 
-bool is_of(char c, ByteClass wanted) {
-  return (kByteClasses[static_cast<unsigned char>(c)] & wanted) != 0;
-}
+std::uint8_t class_of(char c) { return kByteClasses[static_cast<unsigned char>(c)]; }
+bool is_of(char c, ByteClass wanted) { return (class_of(c) & wanted) != 0; }
 bool is_space(char c) { return is_of(c, kSpaceByte); }
 bool is_name_start(char c) { return is_of(c, kNameStartByte); }
 bool is_name(char c) { return is_of(c, kNameByte); }
@@ -96,7 +96,6 @@ class Builder {
   static constexpr std::uint32_t kNone = Document::kNone;
 
   void walk() {
-    has_codes_ = needs_decoding(bytes_);
     if (is_wide_encoding(bytes_)) {
       fail({FaultKind::kUtf16, span(0, std::min<std::size_t>(bytes_.size(), 2)), {}, {}});
     } else {
@@ -114,8 +113,8 @@ class Builder {
     return {document_.source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
   }
 
-  void token(TokenKind kind, std::uint32_t end) {
-    document_.tokens_.push_back({kind, at_, end});
+  void token(TokenKind kind, std::uint32_t end, std::uint8_t content = 0) {
+    document_.tokens_.push_back({kind, content, at_, end});
     at_ = end;
   }
 
@@ -157,17 +156,21 @@ class Builder {
   }
 
   void text() {
-    const auto end = static_cast<std::uint32_t>(std::min(bytes_.find('<', at_), bytes_.size()));
+    std::uint8_t seen = 0;
     std::uint32_t first = at_;
-    while (first < end && is_space(bytes_[first])) ++first;
+    while (first < bytes_.size() && is_space(bytes_[first])) seen |= class_of(bytes_[first++]);
+    std::uint32_t end = first;
+    while (end < bytes_.size() && bytes_[end] != '<') seen |= class_of(bytes_[end++]);
+    auto content = static_cast<std::uint8_t>(seen & (kCodeByte | kLineByte | kDollarByte));
     if (first < end) {
+      content |= kMarkByte;
       if (open_ == kNone) {
         note({FaultKind::kTextOutsideRoot, span(first, without_space(end)), {}, {}});
       } else {
-        give_text(at_, end, first, Decode::kYes);
+        give_text(at_, end, first, (seen & kCodeByte) != 0 ? Decode::kYes : Decode::kNo);
       }
     }
-    token(TokenKind::kText, end);
+    token(TokenKind::kText, end, content);
   }
 
   enum class Decode { kYes, kNo };
@@ -195,12 +198,11 @@ class Builder {
   /// Decodes once, here, so that values are plain views afterwards.
   Document::TextRecord text_record(std::uint32_t begin, std::uint32_t end) {
     const std::string_view raw = bytes_.substr(begin, end - begin);
-    if (!has_codes_ || !needs_decoding(raw)) return {begin, end, kNone};
     Decoded decoded = decode(raw);
     for (const auto& unknown : decoded.unknown) {
       note({FaultKind::kUndefinedEntity, span(begin + unknown.begin, begin + unknown.end), {}, {}});
     }
-    document_.decoded_.push_back(std::move(decoded.text));
+    document_.decoded_.push_back(std::make_unique<std::string>(std::move(decoded.text)));
     return {begin, end, static_cast<std::uint32_t>(document_.decoded_.size() - 1)};
   }
 
@@ -284,8 +286,7 @@ class Builder {
   std::uint32_t name_end(std::uint32_t begin) {
     std::uint32_t end = begin;
     std::uint8_t seen = 0;
-    while (end < bytes_.size() && is_name(bytes_[end]))
-      seen |= kByteClasses[static_cast<unsigned char>(bytes_[end++])];
+    while (end < bytes_.size() && is_name(bytes_[end])) seen |= class_of(bytes_[end++]);
     has_colon_ = has_colon_ || (seen & kColonByte) != 0;
     return end;
   }
@@ -323,7 +324,7 @@ class Builder {
         std::uint32_t close = value;
         std::uint8_t seen = 0;
         while (close < bytes_.size() && bytes_[close] != bytes_[at])
-          seen |= kByteClasses[static_cast<unsigned char>(bytes_[close++])];
+          seen |= class_of(bytes_[close++]);
         if (close == bytes_.size()) {
           fail({FaultKind::kUnclosedValue, span(at, at + 1), {}, {}});
           return false;
@@ -361,7 +362,7 @@ class Builder {
       note({FaultKind::kAngleInValue, span(angle, angle + 1), {}, {}});
     }
     if ((seen & kCodeByte) != 0) value = text_record(value.begin, value.end);
-    document_.attributes_.push_back({begin, end, value});
+    document_.attributes_.push_back({begin, end, value, seen});
     return true;
   }
 
@@ -498,7 +499,6 @@ class Builder {
 
   std::string_view bytes_;
   Document document_;
-  bool has_codes_ = false;  // whether any text may need decoding
   bool has_colon_ = false;  // whether a name of the tag at hand has a prefix
   std::uint32_t at_ = 0;
   std::uint32_t open_ = kNone;

@@ -8,8 +8,10 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
+#include <rigor/xacro/scope.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::read {
@@ -34,24 +36,71 @@ std::vector<std::string> quoted_texts(std::string_view text) {
   return found;
 }
 
-/// Arguments, and properties that are nothing but one.
+/// A property, or a parameter of a macro: what has a value within a macro, or in the file (no macro).
+struct TemplateName {
+  std::string macro;
+  std::string name;
+  bool operator<(const TemplateName& other) const {
+    return std::tie(macro, name) < std::tie(other.macro, other.name);
+  }
+};
+
+/// From a property to a macro's parameter, and on to the parameter of a macro that it calls: so many steps.
+constexpr int kMaxArgumentSteps = 8;
+
+/// The name in a text that is nothing but one reference: `model` of `${ model }`; empty otherwise.
+std::string_view only_name(std::string_view text) {
+  if (!text.starts_with("${") || !text.ends_with('}')) return {};
+  text = text.substr(2, text.size() - 3);
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return std::all_of(text.begin(), text.end(), is_word_byte) ? text : std::string_view();
+}
+
+bool compares_texts(std::string_view text) {
+  return text.find("==") != text.npos || text.find("!=") != text.npos ||
+         text.find(" in ") != text.npos;
+}
+
+/// The macro that an element is in; empty outside of all.
+std::string macro_around(xml::Element element) {
+  for (auto outer = element.parent(); outer; outer = outer->parent()) {
+    if (outer->name() != "xacro:macro") continue;
+    const auto name = outer->attribute("name");
+    return name ? std::string(name->value()) : std::string();
+  }
+  return {};
+}
+
+/// Arguments, and the names that are given one as it is.
 class ArgumentReader {
  public:
   void declare(const xml::Document& document) {
     for (std::uint32_t i = 0; i < document.element_count(); ++i) {
       const xml::Element element = document.element(i);
+      const xacro::Tag tag = xacro::tag_of(element.name());
+      if (tag == xacro::Tag::kCall) declare_call(element);
+      if (tag == xacro::Tag::kMacro) declare_parameters(element);
       const auto name = element.attribute("name");
-      if (!name) continue;
-      if (element.name() == "xacro:arg") {
-        const auto value = element.attribute("default");
-        defaults_.try_emplace(std::string(name->value()), value ? value->value() : "");
-      } else if (element.name() == "xacro:property") {
-        const auto value = element.attribute("value");
-        if (value && value->value().starts_with("$(arg ") && value->value().ends_with(")")) {
-          const std::string_view inner = value->value().substr(6, value->value().size() - 7);
-          property_of_.try_emplace(std::string(name->value()), inner);
-        }
+      const auto value = element.attribute("value");
+      const auto otherwise = element.attribute("default");
+      if (name && tag == xacro::Tag::kArgument)
+        defaults_.try_emplace(std::string(name->value()), otherwise ? otherwise->value() : "");
+      if (name && tag == xacro::Tag::kProperty && (value || otherwise))
+        assign({macro_around(element), std::string(name->value())}, element,
+               (value ? value : otherwise)->value());
+    }
+  }
+
+  /// Once all documents are declared: which arguments reach which names.
+  void follow() {
+    for (int step = 0; step < kMaxArgumentSteps; ++step) {
+      bool is_new = false;
+      for (const Assignment& assignment : assignments_) {
+        for (const std::string& argument : given(assignment))
+          is_new = reaching_[assignment.to].insert(argument).second || is_new;
       }
+      if (!is_new) return;
     }
   }
 
@@ -59,8 +108,14 @@ class ArgumentReader {
     for (std::uint32_t i = 0; i < document.element_count(); ++i) {
       const xml::Element element = document.element(i);
       if (element.name() != "xacro:if" && element.name() != "xacro:unless") continue;
-      if (const auto value = element.attribute("value")) read_condition(value->value());
+      if (const auto value = element.attribute("value"))
+        read_condition(value->value(), macro_around(element));
     }
+    // A comparison whose result is given to a name is a condition of whatever asks for that name.
+    for (const Assignment& assignment : assignments_) {
+      if (compares_texts(assignment.text)) read_condition(assignment.text, assignment.macro);
+    }
+    assignments_.clear();
   }
 
   /// What else a path may hold in the place of an argument's default: of `config/ur5/limits.yaml`, with the
@@ -68,8 +123,12 @@ class ArgumentReader {
   void read_paths(const xml::Document& document, const std::vector<std::string>& paths,
                   const Disk& disk) {
     for (std::uint32_t i = 0; i < document.element_count(); ++i) {
-      for (const xml::Attribute attribute : document.element(i).attributes())
-        read_path(attribute.value(), paths, disk);
+      const xml::Element element = document.element(i);
+      for (const xml::Attribute attribute : element.attributes()) {
+        const std::string_view text = attribute.value();
+        if (text.find('/') == text.npos || text.find('$') == text.npos) continue;
+        read_path(text, macro_around(element), paths, disk);
+      }
     }
   }
 
@@ -78,35 +137,106 @@ class ArgumentReader {
   const std::map<std::string, std::string, std::less<>>& defaults() const { return defaults_; }
 
  private:
-  void read_condition(std::string_view text) {
-    for (const std::string& name : arguments_in(text)) {
-      std::set<std::string> found;
-      bool compares = text.find("==") != text.npos || text.find("!=") != text.npos ||
-                      text.find(" in ") != text.npos;
-      for (const std::string& quoted : quoted_texts(text)) {
-        const bool is_name = quoted == name || quoted.find('$') != std::string::npos;
-        if (compares && !is_name) found.insert(quoted);
-      }
-      if (!compares) found = {"true", "false"};
-      values[name].merge(found);
+  struct Assignment {
+    TemplateName to;
+    std::string macro;  ///< that the text is written in
+    std::string text;
+  };
+
+  void assign(TemplateName to, xml::Element element, std::string_view text) {
+    if (text.find('$') != text.npos)
+      assignments_.push_back({std::move(to), macro_around(element), std::string(text)});
+  }
+
+  void declare_call(xml::Element call) {
+    const std::string_view name = call.name().substr(xacro::kTagPrefix.size());
+    const std::string macro(name.substr(name.rfind('.') + 1));
+    for (const xml::Attribute attribute : call.attributes())
+      assign({macro, std::string(attribute.name())}, call, attribute.value());
+  }
+
+  void declare_parameters(xml::Element macro) {
+    const auto name = macro.attribute("name");
+    const auto params = macro.attribute("params");
+    if (!name || !params) return;
+    xacro::Symbols symbols;
+    for (const xacro::MacroParameter& each :
+         xacro::parse_parameters(params->value(), {}, symbols)) {
+      const TemplateName to{std::string(name->value()), std::string(each.name)};
+      if (each.forwards) assign(to, macro, "${" + to.name + '}');
+      if (each.has_default) assign(to, macro, each.text);
     }
   }
 
-  void read_path(std::string_view text, const std::vector<std::string>& paths, const Disk& disk) {
-    if (text.find('/') == text.npos || text.find('$') == text.npos) return;
+  std::set<std::string> given(const Assignment& assignment) const {
+    std::set<std::string> arguments;
+    const std::string_view text = assignment.text;
+    if (text.starts_with("$(arg ") && text.ends_with(')')) {
+      const std::string argument(text.substr(6, text.size() - 7));
+      if (defaults_.contains(argument)) arguments.insert(argument);
+    } else if (const std::string_view name = only_name(text); !name.empty()) {
+      arguments = reaching(assignment.macro, std::string(name));
+    }
+    return arguments;
+  }
+
+  /// A macro's own names hide those of the file.
+  std::set<std::string> reaching(const std::string& macro, const std::string& name) const {
+    auto found = reaching_.find({macro, name});
+    if (found == reaching_.end()) found = reaching_.find({{}, name});
+    return found == reaching_.end() ? std::set<std::string>() : found->second;
+  }
+
+  bool is_truth_value(const std::string& argument) const {
+    const std::string& value = defaults_.find(argument)->second;
+    return value == "true" || value == "false" || value == "True" || value == "False" ||
+           value == "0" || value == "1";
+  }
+
+  void read_condition(std::string_view text, const std::string& macro) {
+    const bool compares = compares_texts(text);
     for (const auto& [name, value] : defaults_) {
-      if (!value.empty() && value.find_first_of("$/") == value.npos &&
-          is_part_of_path(text, "$(arg " + name + ")") && in_paths_.insert(name).second) {
-        add_entries(name, value, paths, disk);
+      const bool named = text.find("$(arg " + name + ")") != text.npos ||
+                         text.find("arg('" + name + "')") != text.npos ||
+                         text.find("arg(\"" + name + "\")") != text.npos;
+      if (named) add_compared(name, name, text, compares);
+    }
+    for (const auto& [key, arguments] : reaching_) {
+      const bool is_visible =
+          key.macro == macro || (key.macro.empty() && !reaching_.contains({macro, key.name}));
+      if (!is_visible || !has_word(text, key.name)) continue;
+      for (const std::string& argument : arguments) {
+        // What a macro is given may be more than a truth value to others.
+        if (compares || key.macro.empty() || is_truth_value(argument))
+          add_compared(argument, key.name, text, compares);
       }
     }
-    for (const auto& [property, argument] : property_of_) {
-      const auto known = defaults_.find(argument);
-      if (known == defaults_.end() || known->second.empty() ||
-          known->second.find_first_of("$/") != known->second.npos)
-        continue;
-      if (is_part_of_path(text, "${" + property + "}") && in_paths_.insert(argument).second)
-        add_entries(argument, known->second, paths, disk);
+  }
+
+  void add_compared(const std::string& argument, const std::string& name, std::string_view text,
+                    bool compares) {
+    std::set<std::string> found;
+    if (!compares) found = {"true", "false"};
+    for (const std::string& quoted : quoted_texts(text)) {
+      const bool is_name =
+          quoted == argument || quoted == name || quoted.find('$') != std::string::npos;
+      if (compares && !is_name) found.insert(quoted);
+    }
+    values[argument].merge(found);
+  }
+
+  void read_path(std::string_view text, const std::string& macro,
+                 const std::vector<std::string>& paths, const Disk& disk) {
+    const auto take = [&](const std::string& argument, const std::string& reference) {
+      const std::string& value = defaults_.find(argument)->second;
+      if (!value.empty() && value.find_first_of("$/") == value.npos &&
+          is_part_of_path(text, reference) && in_paths_.insert(argument).second)
+        add_entries(argument, value, paths, disk);
+    };
+    for (const auto& [name, value] : defaults_) take(name, "$(arg " + name + ")");
+    for (const auto& [key, arguments] : reaching_) {
+      if (!key.macro.empty() && key.macro != macro) continue;
+      for (const std::string& argument : arguments) take(argument, "${" + key.name + "}");
     }
   }
 
@@ -137,20 +267,6 @@ class ArgumentReader {
     }
   }
 
-  std::set<std::string> arguments_in(std::string_view text) const {
-    std::set<std::string> found;
-    for (const auto& [name, value] : defaults_) {
-      const bool named = text.find("$(arg " + name + ")") != text.npos ||
-                         text.find("arg('" + name + "')") != text.npos ||
-                         text.find("arg(\"" + name + "\")") != text.npos;
-      if (named) found.insert(name);
-    }
-    for (const auto& [property, argument] : property_of_) {
-      if (has_word(text, property) && defaults_.contains(argument)) found.insert(argument);
-    }
-    return found;
-  }
-
   static bool has_word(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
       const std::size_t end = at + word.size();
@@ -161,7 +277,8 @@ class ArgumentReader {
   }
 
   std::map<std::string, std::string, std::less<>> defaults_;
-  std::map<std::string, std::string, std::less<>> property_of_;
+  std::vector<Assignment> assignments_;
+  std::map<TemplateName, std::set<std::string>> reaching_;  ///< the arguments that a name may be
   std::set<std::string, std::less<>> in_paths_;  ///< arguments whose folders have been listed
 };
 
@@ -187,6 +304,7 @@ ArgumentPlan all_arguments(const xacro::Expansion& expansion, const Sources& sou
   }
   ArgumentReader reader;
   for (const xml::Document& document : documents) reader.declare(document);
+  reader.follow();
   for (const xml::Document& document : documents) reader.read_conditions(document);
   const std::vector<std::string> paths = paths_of(expansion);
   for (const xml::Document& document : documents) reader.read_paths(document, paths, disk);

@@ -29,7 +29,8 @@ struct ArgumentPlan {
 /// The sets of `plan`, and for every value of an argument a set in which it has that value and the others
 /// their defaults. Values are those that a condition compares the argument with; true and false, where the
 /// argument is a condition itself; and where it is part of a path, as in `config/$(arg model)/limits.yaml`,
-/// the entries of that folder that have such a file. Values that would be more sets than the bound are
+/// the entries of that folder that have such a file. A property or a macro's parameter that is given an argument
+/// as it is counts as that argument. Values that would be more sets than the bound are
 /// paired: a set then has a value of each argument.
 ArgumentPlan all_arguments(const xacro::Expansion& expansion, const Sources& sources,
                            const Disk& disk, ArgumentPlan plan);

@@ -24,9 +24,7 @@ Value Evaluator::fail(FactKind kind, std::string name, std::string detail) {
   return Value::error();
 }
 
-bool Evaluator::work(std::uint64_t steps) {
-  steps_ += steps;
-  if (steps_ <= bounds_.steps && !heap_.full()) return true;
+bool Evaluator::fail_of_work() {
   fail(FactKind::kBoundReached, {},
        heap_.full() ? "the memory of expressions" : "the steps of an expansion");
   return false;

@@ -72,7 +72,10 @@ class Evaluator {
   Value wrong_value(std::string why) { return fail(FactKind::kWrongValue, std::move(why)); }
 
   /// Counts work; false when it is too much, which is a failure then.
-  bool work(std::uint64_t steps);
+  bool work(std::uint64_t steps) {
+    steps_ += steps;
+    return (steps_ <= bounds_.steps && !heap_.full()) || fail_of_work();
+  }
   /// Whether a list of so many items may be; a failure when not.
   bool fits(std::uint64_t items);
 
@@ -99,6 +102,8 @@ class Evaluator {
 
  private:
   using Node = ExpressionNode;
+  /// Always false.
+  bool fail_of_work();
   Value eval(std::uint32_t id);
   Value eval_node(const Node& node);
   Value eval_name(const Node& node);

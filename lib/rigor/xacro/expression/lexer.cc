@@ -3,6 +3,7 @@
 
 #include <rigor/xacro/expression/lexer.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -13,24 +14,38 @@
 namespace rigor::xacro {
 namespace {
 
-bool is_digit_byte(char c) { return c >= '0' && c <= '9'; }
-bool begins_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
-         static_cast<signed char>(c) < 0;
-}
-bool continues_name(char c) { return begins_name(c) || is_digit_byte(c); }
+enum NameByte : std::uint8_t { kFirstByte = 1, kDigitByte = 2 };
 
-/// Longest first.
-constexpr std::array<std::string_view, 39> kOperators{
-    "**=", "//=", "<<=", ">>=", "...", "**", "//", "<<", ">>", "<=", ">=", "==", "!=",
-    ":=",  "->",  "+=",  "-=",  "*=",  "/=", "%=", "+",  "-",  "*",  "/",  "%",  "@",
-    "<",   ">",   "(",   ")",   "[",   "]",  "{",  "}",  ",",  ":",  ".",  "=",  "|"};
-constexpr std::string_view kSingleOperators = "&^~;";
+constexpr std::array<std::uint8_t, 256> kNameBytes = [] {
+  std::array<std::uint8_t, 256> bytes{};
+  for (std::size_t c = 0; c < bytes.size(); ++c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    if (letter || c >= 0x80) bytes[c] = kFirstByte;
+    if (c >= '0' && c <= '9') bytes[c] = kDigitByte;
+  }
+  return bytes;
+}();
+
+bool is_digit_byte(char c) { return c >= '0' && c <= '9'; }
+bool begins_name(char c) { return kNameBytes[static_cast<unsigned char>(c)] == kFirstByte; }
+bool continues_name(char c) { return kNameBytes[static_cast<unsigned char>(c)] != 0; }
+
+/// Of two and three bytes, the longest first.
+constexpr std::array<std::string_view, 20> kLongOperators{
+    "**=", "//=", "<<=", ">>=", "...", "**", "//", "<<", ">>", "<=",
+    ">=",  "==",  "!=",  ":=",  "->",  "+=", "-=", "*=", "/=", "%="};
+constexpr std::string_view kSingleOperators = "+-*/%@<>()[]{},:.=|&^~;";
 
 }  // namespace
 
-Token Lexer::trouble(FactKind kind, std::uint32_t begin, std::string why) const {
-  return {TokenType::kTrouble, begin, std::max(at_, begin), std::move(why), kind};
+bool is_name(std::string_view text) {
+  return !text.empty() && begins_name(text[0]) &&
+         std::all_of(text.begin(), text.end(), continues_name);
+}
+
+Token Lexer::trouble(FactKind kind, std::uint32_t begin, std::string why) {
+  kept_ = std::move(why);
+  return {TokenType::kTrouble, begin, std::max(at_, begin), 0, kept_, kind};
 }
 
 /// False at a line break that ends the expression.
@@ -181,6 +196,20 @@ Token Lexer::quoted(std::uint32_t begin, bool raw) {
   const std::string_view closing =
       peek(1) == quote && peek(2) == quote ? text_.substr(at_, 3) : text_.substr(at_, 1);
   at_ += static_cast<std::uint32_t>(closing.size());
+  // Most texts are on one line, without escapes.
+  if (closing.size() == 1) {
+    const std::uint32_t first = at_;
+    std::uint32_t last = first;
+    while (last < text_.size() && text_[last] != quote && text_[last] != '\\' &&
+           text_[last] != '\n')
+      ++last;
+    if (last < text_.size() && text_[last] == quote) {
+      at_ = last + 1;
+      Token result = token(TokenType::kText, begin);
+      result.text = text_.substr(first, last - first);
+      return result;
+    }
+  }
   std::string text;
   while (at_ < text_.size() && !text_.substr(at_).starts_with(closing)) {
     if (text_[at_] == '\n' && closing.size() == 1) break;
@@ -197,25 +226,38 @@ Token Lexer::quoted(std::uint32_t begin, bool raw) {
     return trouble(FactKind::kSyntax, begin, "a text without its closing quote");
   }
   at_ += static_cast<std::uint32_t>(closing.size());
+  kept_ = std::move(text);
   Token result = token(TokenType::kText, begin);
-  result.text = std::move(text);
+  result.text = kept_;
   return result;
 }
 
 Token Lexer::operation() {
   const std::uint32_t begin = at_;
-  for (const std::string_view known : kOperators) {
-    if (known[0] != text_[at_] || !text_.substr(at_).starts_with(known)) continue;
-    at_ += static_cast<std::uint32_t>(known.size());
-    if (known == "(" || known == "[" || known == "{") ++open_brackets_;
-    if ((known == ")" || known == "]" || known == "}") && open_brackets_ > 0) --open_brackets_;
-    return token(TokenType::kOperator, begin);
+  const char first = text_[at_];
+  if (kSingleOperators.find(first) == std::string_view::npos && first != '!') {
+    ++at_;
+    return trouble(FactKind::kSyntax, begin, std::string("the character '") + first + "'");
   }
-  ++at_;
-  if (kSingleOperators.find(text_[begin]) != std::string_view::npos) {
-    return token(TokenType::kOperator, begin);
+  std::uint32_t size = 1;
+  const char second = peek(1);
+  // Each operator of two bytes or three ends in one of these.
+  if (second == '=' || second == first || second == '>') {
+    for (const std::string_view known : kLongOperators) {
+      if (!text_.substr(at_).starts_with(known)) continue;
+      size = static_cast<std::uint32_t>(known.size());
+      break;
+    }
   }
-  return trouble(FactKind::kSyntax, begin, std::string("the character '") + text_[begin] + "'");
+  at_ += size;
+  if (size == 1) {
+    if (first == '!') return trouble(FactKind::kSyntax, begin, "the character '!'");
+    if (first == '(' || first == '[' || first == '{') ++open_brackets_;
+    if ((first == ')' || first == ']' || first == '}') && open_brackets_ > 0) --open_brackets_;
+  }
+  Token result = token(TokenType::kOperator, begin);
+  result.code = operator_code(text_.substr(begin, size));
+  return result;
 }
 
 }  // namespace rigor::xacro

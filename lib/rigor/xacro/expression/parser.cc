@@ -24,34 +24,39 @@ constexpr std::array<std::string_view, 35> kKeywords{
     "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
 
 bool is_keyword(std::string_view word) {
-  return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+  constexpr std::size_t kLongest = 8;
+  if (word.size() > kLongest) return false;
+  return std::any_of(kKeywords.begin(), kKeywords.end(), [word](std::string_view keyword) {
+    return keyword[0] == word[0] && keyword == word;
+  });
 }
 
 struct BinaryOperator {
-  std::string_view text;
+  std::uint32_t code;
   int precedence;
   Operation operation;
 };
-constexpr std::array<BinaryOperator, 11> kBinaryOperators{{{"|", 1, Operation::kBitOr},
-                                                           {"^", 2, Operation::kBitXor},
-                                                           {"&", 3, Operation::kBitAnd},
-                                                           {"<<", 4, Operation::kShiftLeft},
-                                                           {">>", 4, Operation::kShiftRight},
-                                                           {"+", 5, Operation::kAdd},
-                                                           {"-", 5, Operation::kSubtract},
-                                                           {"*", 6, Operation::kMultiply},
-                                                           {"/", 6, Operation::kDivide},
-                                                           {"//", 6, Operation::kFloorDivide},
-                                                           {"%", 6, Operation::kModulo}}};
+constexpr std::array<BinaryOperator, 11> kBinaryOperators{
+    {{operator_code("|"), 1, Operation::kBitOr},
+     {operator_code("^"), 2, Operation::kBitXor},
+     {operator_code("&"), 3, Operation::kBitAnd},
+     {operator_code("<<"), 4, Operation::kShiftLeft},
+     {operator_code(">>"), 4, Operation::kShiftRight},
+     {operator_code("+"), 5, Operation::kAdd},
+     {operator_code("-"), 5, Operation::kSubtract},
+     {operator_code("*"), 6, Operation::kMultiply},
+     {operator_code("/"), 6, Operation::kDivide},
+     {operator_code("//"), 6, Operation::kFloorDivide},
+     {operator_code("%"), 6, Operation::kModulo}}};
 constexpr int kLowestPrecedence = 1;
 
-constexpr std::array<std::pair<std::string_view, Operation>, 6> kComparisons{
-    {{"<", Operation::kLess},
-     {"<=", Operation::kLessEqual},
-     {">", Operation::kGreater},
-     {">=", Operation::kGreaterEqual},
-     {"==", Operation::kEqual},
-     {"!=", Operation::kNotEqual}}};
+constexpr std::array<std::pair<std::uint32_t, Operation>, 6> kComparisons{
+    {{operator_code("<"), Operation::kLess},
+     {operator_code("<="), Operation::kLessEqual},
+     {operator_code(">"), Operation::kGreater},
+     {operator_code(">="), Operation::kGreaterEqual},
+     {operator_code("=="), Operation::kEqual},
+     {operator_code("!="), Operation::kNotEqual}}};
 
 using NodeId = std::uint32_t;
 using NodeList = std::vector<NodeId>;
@@ -124,22 +129,17 @@ class Parser {
     before_ = token_.end;
     token_ = lexer_.next();
     if (token_.type == TokenType::kTrouble)
-      fail(token_.trouble, token_.begin, token_.end, token_.text);
+      fail(token_.trouble, token_.begin, token_.end, std::string(token_.text));
   }
 
   std::string_view word() const {
     return result_.text.substr(token_.begin, token_.end - token_.begin);
   }
-  bool is_operator(std::string_view text) const {
-    return token_.type == TokenType::kOperator && is_written(text);
-  }
+  bool is_operator(std::string_view text) const { return token_.code == operator_code(text); }
+  /// Most differ in their length or first byte.
   bool is_word(std::string_view text) const {
-    return token_.type == TokenType::kName && is_written(text);
-  }
-  /// Most tokens differ in their length or first byte.
-  bool is_written(std::string_view text) const {
-    return token_.end - token_.begin == text.size() && result_.text[token_.begin] == text[0] &&
-           word() == text;
+    return token_.type == TokenType::kName && token_.end - token_.begin == text.size() &&
+           result_.text[token_.begin] == text[0] && word() == text;
   }
   bool take(std::string_view op) {
     if (!is_operator(op)) return false;
@@ -265,9 +265,12 @@ class Parser {
 
   std::optional<Operation> take_comparison() {
     if (token_.type == TokenType::kOperator) {
-      for (const auto& [text, operation] : kComparisons) {
-        if (take(text)) return operation;
+      for (const auto& [code, operation] : kComparisons) {
+        if (token_.code != code) continue;
+        advance();
+        return operation;
       }
+      return std::nullopt;
     }
     if (take_word("in")) return Operation::kIn;
     if (take_word("is")) return take_word("not") ? Operation::kIsNot : Operation::kIs;
@@ -300,7 +303,7 @@ class Parser {
     NodeId left = parse_unary();
     while (!failed() && token_.type == TokenType::kOperator) {
       const auto* found = std::find_if(kBinaryOperators.begin(), kBinaryOperators.end(),
-                                       [this](const auto& o) { return is_written(o.text); });
+                                       [this](const auto& o) { return o.code == token_.code; });
       if (found == kBinaryOperators.end() || found->precedence < lowest) break;
       advance();
       const NodeId right = parse_binary(found->precedence + 1);
@@ -311,6 +314,7 @@ class Parser {
 
   NodeId parse_unary() {
     if (failed()) return kNoNode;
+    if (token_.type != TokenType::kOperator) return parse_power();
     const std::uint32_t begin = token_.begin;
     const Operation operation = is_operator("-")   ? Operation::kNegate
                                 : is_operator("+") ? Operation::kPlus
@@ -338,7 +342,7 @@ class Parser {
   NodeId parse_primary() {
     const std::uint32_t begin = token_.begin;
     NodeId node = parse_atom();
-    while (!failed()) {
+    while (!failed() && token_.type == TokenType::kOperator) {
       if (take(".")) {
         if (token_.type != TokenType::kName || is_keyword(word())) return unexpected();
         const Symbol symbol = name_symbol();
@@ -501,6 +505,10 @@ class Parser {
 
   NodeId parse_number() {
     const std::uint32_t begin = token_.begin;
+    if (const Value number = plain_decimal(word()); !number.failed()) {
+      advance();
+      return constant(begin, number);
+    }
     std::string digits(word());
     std::erase(digits, '_');
     advance();
@@ -517,7 +525,16 @@ class Parser {
 
   NodeId parse_texts() {
     const std::uint32_t begin = token_.begin;
-    std::string text;
+    // Most are one alone, and a part of the expression, which lives as long.
+    const std::string_view first = token_.text;
+    const bool is_part = first.data() >= result_.text.data() &&
+                         first.data() + first.size() <= result_.text.data() + result_.text.size();
+    std::string text(is_part ? std::string_view() : first);
+    advance();
+    if (is_part) {
+      if (token_.type != TokenType::kText) return constant(begin, Value::text(first));
+      text = first;
+    }
     while (token_.type == TokenType::kText) {
       text += token_.text;
       advance();
@@ -631,11 +648,6 @@ Expression parse_expression(std::string_view text, Heap& heap, Symbols& symbols,
   return Parser(text, heap, symbols, memory).run();
 }
 
-bool is_identifier(std::string_view text) {
-  Lexer lexer(text);
-  const Token token = lexer.next();
-  return token.type == TokenType::kName && token.begin == 0 && token.end == text.size() &&
-         !is_keyword(text);
-}
+bool is_identifier(std::string_view text) { return is_name(text) && !is_keyword(text); }
 
 }  // namespace rigor::xacro

@@ -25,21 +25,20 @@ bool names_a_value(const Expression& expression) {
 }  // namespace
 
 const Expression& TextTemplates::expression(std::string_view text) {
-  const auto known = expressions_.find(text);
-  if (known != expressions_.end()) return known->second;
-  Expression parsed = parse_expression(text, heap_, symbols_, memory_);
+  const std::uint32_t hash = short_hash(text);
+  const std::uint32_t known = expression_index_.find(
+      hash, [&](std::uint32_t row) { return expressions_[row].text == text; });
+  if (known != TextIndex::kNoRow) return expressions_[known];
+  expression_index_.add(hash, static_cast<std::uint32_t>(expressions_.size()));
+  Expression& parsed = expressions_.emplace_back(parse_expression(text, heap_, symbols_, memory_));
   if (!parsed.trouble) parsed.degrees = find_degrees(parsed, symbols_);
   heap_.charge(sizeof(Expression) + parsed.nodes.size() * sizeof(ExpressionNode));
-  return expressions_.emplace(text, std::move(parsed)).first->second;
+  return parsed;
 }
 
 const TextTemplate& TextTemplates::of(std::string_view text) {
-  const TextTemplate*& known = by_place_[text];
-  if (known == nullptr) {
-    auto kept = templates_.find(text);
-    if (kept == templates_.end()) kept = templates_.emplace(text, taken_apart(text)).first;
-    known = &kept->second;
-  }
+  const TextTemplate*& known = by_text_[text];
+  if (known == nullptr) known = &templates_.emplace_back(taken_apart(text));
   return *known;
 }
 
@@ -48,7 +47,7 @@ const TextTemplate& TextTemplates::of(TextCode code, std::string_view text) {
   const TextTemplate*& known =
       by_code_[static_cast<std::uint32_t>(code) - static_cast<std::uint32_t>(TextCode::kFirst)];
   // Few are written twice, so none is looked for.
-  if (known == nullptr) known = &coded_.emplace_back(taken_apart(text));
+  if (known == nullptr) known = &templates_.emplace_back(taken_apart(text));
   return *known;
 }
 

@@ -16,8 +16,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include <rigor/xacro/arena.h>
 #include <rigor/xacro/expression/expression.h>
 #include <rigor/xacro/node.h>
+#include <rigor/xacro/value/text_index.h>
 
 namespace rigor::xacro {
 
@@ -52,30 +54,23 @@ class TextTemplates {
 
   /// The next number, for a text that holds a `$`; it is taken apart when it is asked for.
   TextCode new_code();
+  /// A number only where there is a `$` in the text.
+  TextCode code_of(std::string_view text) {
+    return text.find('$') == std::string_view::npos ? TextCode::kPlain : new_code();
+  }
 
  private:
   TextTemplate taken_apart(std::string_view text);
 
   Heap& heap_;
   Symbols& symbols_;
-  static constexpr std::size_t kFirstBlock = std::size_t{32} << 10U;
-  static constexpr std::size_t kFirstTexts = 128;
-  std::pmr::monotonic_buffer_resource memory_{kFirstBlock};
-  struct SamePlace {
-    std::size_t operator()(std::string_view text) const {
-      return std::hash<const void*>{}(text.data()) + text.size();
-    }
-    bool operator()(std::string_view a, std::string_view b) const {
-      return a.data() == b.data() && a.size() == b.size();
-    }
-  };
-  /// The same bytes in memory, which are most often asked for, need no look at each of them.
-  std::pmr::unordered_map<std::string_view, const TextTemplate*, SamePlace, SamePlace> by_place_{
-      &memory_};
-  std::pmr::unordered_map<std::string_view, TextTemplate> templates_{kFirstTexts, &memory_};
-  std::pmr::unordered_map<std::string_view, Expression> expressions_{kFirstTexts, &memory_};
+  Arena memory_;
+  std::pmr::deque<TextTemplate> templates_{&memory_};
+  std::pmr::deque<Expression> expressions_{&memory_};
+  TextIndex expression_index_;
+  /// Of texts without a code, which are few: an argument's value, a text that an expression made.
+  std::unordered_map<std::string_view, const TextTemplate*> by_text_;
   std::vector<const TextTemplate*> by_code_;  ///< null as long as nobody asked
-  std::pmr::deque<TextTemplate> coded_{&memory_};
 };
 
 }  // namespace rigor::xacro

@@ -22,6 +22,7 @@ Value literal_value(Heap& heap, Value value) {
   const bool may_be_number = kNumberStarts.find(text[0]) != std::string_view::npos ||
                              static_cast<signed char>(text[0]) < 0;
   if (may_be_number) {
+    if (const Value number = plain_decimal(text); !number.failed()) return number;
     if (const Value whole = integer_from_text(heap, text); !whole.failed()) return whole;
     if (const auto real = real_from_text(text)) return Value::real(*real);
   }
@@ -35,6 +36,7 @@ std::optional<bool> boolean_value(Heap& heap, Value value) {
   const std::string_view text = value.as_text();
   if (text == "true" || text == "True") return true;
   if (text == "false" || text == "False") return false;
+  if (text == "0" || text == "1") return text == "1";
   const Value whole = integer_from_text(heap, text);
   if (whole.failed()) return std::nullopt;
   return !is_zero_integer(whole);

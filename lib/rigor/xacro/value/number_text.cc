@@ -78,22 +78,35 @@ std::optional<std::string> plain_number(std::string_view text, std::string_view 
 
 }  // namespace
 
-std::string real_to_text(double d) {
-  if (!std::isfinite(d)) return not_finite(d);
-  std::array<char, 40> buffer{};
-  // There the shortest digits are the exact ones before the point, too.
-  constexpr double kSmallestFixed = 1e-4;
-  constexpr double kLargestFixed = 1e15;
-  if (const double size = std::abs(d); d == 0 || (size >= kSmallestFixed && size < kLargestFixed)) {
-    char* last =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), d, std::chars_format::fixed)
-            .ptr;
-    if (std::find(buffer.data(), last, '.') == last) {
+std::optional<NumberText> short_number_text(Value v) {
+  NumberText text;
+  char* const first = text.bytes.data();
+  char* const end = first + text.bytes.size();
+  char* last = first;
+  if (v.is(Type::kInteger)) {
+    last = std::to_chars(first, end, v.integer_).ptr;
+  } else if (v.is(Type::kReal)) {
+    // There the shortest digits are the exact ones before the point, too.
+    constexpr double kSmallestFixed = 1e-4;
+    constexpr double kLargestFixed = 1e15;
+    const double size = std::abs(v.real_);
+    if (v.real_ != 0 && !(size >= kSmallestFixed && size < kLargestFixed)) return std::nullopt;
+    last = std::to_chars(first, end, v.real_, std::chars_format::fixed).ptr;
+    if (std::find(first, last, '.') == last) {
       *last++ = '.';
       *last++ = '0';
     }
-    return {buffer.data(), last};
+  } else {
+    return std::nullopt;
   }
+  text.size = static_cast<std::size_t>(last - first);
+  return text;
+}
+
+std::string real_to_text(double d) {
+  if (!std::isfinite(d)) return not_finite(d);
+  if (const auto text = short_number_text(Value::real(d))) return std::string(text->view());
+  std::array<char, 40> buffer{};
   const auto [end, error] =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), d, std::chars_format::scientific);
   if (error != std::errc()) return "nan";
@@ -182,6 +195,27 @@ std::optional<double> real_from_text(std::string_view text) {
   }
   if (d && negative) d = -*d;
   return d;
+}
+
+Value plain_decimal(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  std::int64_t whole = 0;
+  std::size_t at = 0;
+  // More digits may not fit.
+  constexpr std::size_t kMostDigits = 18;
+  for (; at < text.size() && at <= kMostDigits && is_ascii_digit(text[at]); ++at)
+    whole = whole * 10 + (text[at] - '0');
+  if (at == 0 || at > kMostDigits) return Value::error();
+  if (at == text.size()) return Value::integer(negative ? -whole : whole);
+  if (text[at] != '.' || at + 1 == text.size()) return Value::error();
+  for (std::size_t i = at + 1; i < text.size(); ++i) {
+    if (!is_ascii_digit(text[i])) return Value::error();
+  }
+  double d = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), d);
+  if (error != std::errc() || end != text.data() + text.size()) return Value::error();
+  return Value::real(negative ? -d : d);
 }
 
 Value integer_from_text(Heap& heap, std::string_view text, int base) {

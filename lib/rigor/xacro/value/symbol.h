@@ -8,10 +8,11 @@
 
 #include <cstdint>
 #include <cstring>
-#include <memory_resource>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
+
+#include <rigor/xacro/arena.h>
+#include <rigor/xacro/value/text_index.h>
 
 namespace rigor::xacro {
 
@@ -19,35 +20,32 @@ using Symbol = std::uint32_t;
 
 class Symbols {
  public:
+  Symbols() { names_.reserve(kFirstNames); }
+
   Symbol of(std::string_view name) {
-    const auto found = numbers_.find(name);
-    if (found != numbers_.end()) return found->second;
-    if (name.empty()) return of_constant({});
-    char* kept = static_cast<char*>(memory_.allocate(name.size(), 1));
-    std::memcpy(kept, name.data(), name.size());
-    return add({kept, name.size()});
-  }
-  /// Of a name that outlives this, and is not copied.
-  Symbol of_constant(std::string_view name) {
-    const auto found = numbers_.find(name);
-    return found != numbers_.end() ? found->second : add(name);
+    const std::uint32_t hash = short_hash(name);
+    const Symbol known =
+        index_.find(hash, [&](std::uint32_t symbol) { return names_[symbol] == name; });
+    if (known != TextIndex::kNoRow) return known;
+    if (!name.empty()) {
+      char* const kept = static_cast<char*>(memory_.take(name.size(), 1));
+      std::memcpy(kept, name.data(), name.size());
+      name = {kept, name.size()};
+    }
+    names_.push_back(name);
+    const auto symbol = static_cast<Symbol>(names_.size() - 1);
+    index_.add(hash, symbol);
+    return symbol;
   }
   std::string_view name(Symbol symbol) const { return names_[symbol]; }
+  /// All that have a number so far.
+  std::size_t size() const { return names_.size(); }
 
  private:
-  Symbol add(std::string_view kept) {
-    names_.push_back(kept);
-    const auto number = static_cast<Symbol>(names_.size() - 1);
-    numbers_.emplace(kept, number);
-    return number;
-  }
-
-  static constexpr std::size_t kFirstBlock = std::size_t{16} << 10U;
-  /// More than the names that every template knows.
-  static constexpr std::size_t kFirstNames = 256;
-  std::pmr::monotonic_buffer_resource memory_{kFirstBlock};
-  std::pmr::vector<std::string_view> names_{&memory_};
-  std::pmr::unordered_map<std::string_view, Symbol> numbers_{kFirstNames, &memory_};
+  static constexpr std::size_t kFirstNames = 64;
+  Arena memory_;
+  std::vector<std::string_view> names_;
+  TextIndex index_;
 };
 
 }  // namespace rigor::xacro
