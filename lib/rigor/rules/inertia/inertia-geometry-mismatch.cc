@@ -67,8 +67,8 @@ void check(const model::Link& link, Context& context) {
   // One placeholder is one finding, whatever the masses that it was given to.
   std::string cause;
   if (is_placeholder(tensor)) {
-    cause = fmt::format("{} in {} {}", std::max({tensor.ixx, tensor.iyy, tensor.izz}),
-                        context.root()[link.model].name.value, *share > 1 ? "more" : "less");
+    cause = fmt::format("placeholder {}, {}", std::max({tensor.ixx, tensor.iyy, tensor.izz}),
+                        *share > 1 ? "more" : "less");
   }
   context.report({.where = link.inertial.tensor_site.name,
                   .message = fmt::format(

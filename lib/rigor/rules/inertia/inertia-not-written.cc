@@ -23,7 +23,7 @@ void check(const model::Link& link, Context& context) {
            inertial.mass.value),
        .subject = context.subject(link),
        .fix = fix_from_shapes(link, context),
-       .cause = "links of " + context.root()[link.model].name.value});
+       .cause = "no tensor"});
 }
 
 Rule rule() {

@@ -61,7 +61,7 @@ void report(const model::Link& link, Context& context) {
        .subject = context.subject(link),
        .help = comparison(link, context),
        .fix = fix_from_shapes(link, context),
-       .cause = "links of " + context.root()[link.model].name.value});
+       .cause = std::string("links of ").append(context.sources().path(link.site.span.source))});
 }
 
 void check(const model::Model& model, Context& context) {
