@@ -3,6 +3,7 @@
 //
 // The printed reason fits the case: the format of the file, its version, the value, the consumer.
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
+#include <rigor/text/grouping.h>
 
 namespace rigor::rules {
 namespace {
@@ -182,6 +184,32 @@ TEST(Reason, OfDegreesInAnIncludeIsTheUnit) {
 
 // Lines of models that were reported once and are right.
 
+TEST(Reason, OfTextThatIsAValueIsTheElementForIt) {
+  const auto box = of_sdf("text-between-elements",
+                          "<link name='l'><visual name='v'><geometry><box>1 1 1</box></geometry>"
+                          "</visual></link>");
+  EXPECT_EQ(box.help, "write <size>1 1 1</size>");
+  const auto stray = of_sdf("text-between-elements", "<link name='l'>stray</link>");
+  EXPECT_TRUE(mentions(stray.help, "Remove the characters"));
+}
+
+TEST(Reason, OfAPartOfAnMjcfIsTheFileThatIncludesIt) {
+  const Reported part = reported("unknown-root", "a.xml", "<mujocoinclude/>");
+  EXPECT_EQ(part.severity, Severity::kInfo);
+  EXPECT_TRUE(mentions(part.why, "MuJoCo"));
+  EXPECT_EQ(reported("unknown-root", "a.xml", "<mujocos/>").severity, Severity::kError);
+}
+
+/// Sensors without a world are included by the file that has the bodies.
+TEST(Unreported, IsWhatAPartOfAnMjcfRefersTo) {
+  const std::string sensor = "<sensor><touch name='t' site='palm'/></sensor>";
+  const std::string rule = "mjcf-reference-missing";
+  EXPECT_TRUE(reported(rule, "a.xml", "<mujoco>" + sensor + "</mujoco>").why.empty());
+  EXPECT_FALSE(reported(rule, "a.xml",
+                        "<mujoco><worldbody><body name='b'/></worldbody>" + sensor + "</mujoco>")
+                   .why.empty());
+}
+
 TEST(Unreported, IsATensorThatIsNegativeByRounding) {
   EXPECT_TRUE(of_urdf("inertia-not-positive-definite",
                       "<link name='a'/><link name='b'><inertial><mass value='1'/><inertia "
@@ -288,6 +316,32 @@ TEST(Listed, AreCausesAndNotPlaces) {
   }
   EXPECT_EQ(shades, 1U);
   EXPECT_EQ(hues, 1500U);
+}
+
+/// A placeholder that several links have is one cause, whatever their masses are.
+TEST(Listed, IsAPlaceholderOnce) {
+  const auto link = [](const std::string& name, const std::string& mass,
+                       const std::string& moment) {
+    return "<link name='" + name + "'><inertial><mass>" + mass + "</mass><inertia><ixx>" + moment +
+           "</ixx><iyy>" + moment + "</iyy><izz>" + moment +
+           "</izz></inertia></inertial><collision name='c'><geometry><sphere><radius>0.03</radius>"
+           "</sphere></geometry></collision></link>";
+  };
+  const auto causes = [](const std::string& rule, const std::string& inside) {
+    const MemoryDisk disk(std::map<std::string, std::string>{
+        {"a.sdf", "<sdf version='1.9'><model name='m'>" + inside + "</model></sdf>"}});
+    const Environment environment(disk, {});
+    Sources sources;
+    const ValidateResult result = validate(environment, {.paths = {"a.sdf"}}, sources);
+    const Diagnostics shown = grouped(result.diagnostics);
+    return std::count_if(shown.list().begin(), shown.list().end(),
+                         [&](const Diagnostic& found) { return found.rule == rule; });
+  };
+  EXPECT_EQ(causes("inertia-identity", link("a", "0.1", "1") + link("b", "0.2", "1")), 1);
+  EXPECT_EQ(
+      causes("inertia-geometry-mismatch", link("a", "0.1", "0.01") + link("b", "0.2", "0.01")), 1);
+  EXPECT_EQ(
+      causes("inertia-geometry-mismatch", link("a", "0.1", "0.01") + link("b", "0.2", "0.001")), 2);
 }
 
 }  // namespace

@@ -100,6 +100,19 @@ TEST(Twin, OfManyFingersTheOddOneIsReportedAndMended) {
   EXPECT_EQ(found.front().fixes.front().edits.front().text, "0.1");
 }
 
+/// Sensors along a bumper, counted from one side: each name's twin is one place further.
+TEST(Twin, IsAnotherPartWhereOneOfAnotherNameIsTheMirrorImage) {
+  const std::string rule = "twin-value-differs";
+  const TwinFinger left{.name = "left", .origin = "0.10 0.12 0.1"};
+  const TwinFinger right{.name = "right", .origin = "0.04 -0.15 0.1"};
+  const TwinFinger side{.name = "side_left", .origin = "0.04 0.15 0.1"};
+  EXPECT_EQ(twin_findings(rule, twin_hand({left, right})).size(), 1U);
+  EXPECT_TRUE(twin_findings(rule, twin_hand({left, right, side})).empty());
+  // A part at the place of the twin's is not its image.
+  const TwinFinger beside{.name = "wrist", .origin = "0.04 -0.15 0.1"};
+  EXPECT_EQ(twin_findings(rule, twin_hand({left, right, beside})).size(), 1U);
+}
+
 TEST(Twin, NumberedPartsWithoutAMajorityAreNoTwins) {
   EXPECT_TRUE(twin_findings("twin-value-differs",
                             twin_hand({{"finger_1"}, {.name = "finger_2", .mass = "0.2"}}))

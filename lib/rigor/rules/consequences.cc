@@ -4,10 +4,13 @@
 #include <rigor/rules/consequences.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -112,13 +115,37 @@ constexpr Consequences kConsequences[] = {
      "plugin-joint-missing mimic-joint-missing gazebo-reference-missing", Link::kCause},
 };
 
-/// Whether a name is among names with blanks between.
-bool names(std::string_view list, std::string_view name) {
-  for (std::size_t at = list.find(name); at != list.npos; at = list.find(name, at + 1)) {
-    const std::size_t end = at + name.size();
-    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
+using Rows = std::bitset<std::size(kConsequences)>;
+
+/// The rows that name a rule.
+struct Named {
+  Rows as_root, as_follower;
+};
+
+using NamedRules = std::unordered_map<std::string_view, Named>;
+
+/// Of names with blanks between.
+void note_row(std::string_view names, std::size_t row, Rows Named::*as, NamedRules& rules) {
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find(' '), names.size());
+    (rules[names.substr(0, end)].*as).set(row);
+    names.remove_prefix(std::min(end + 1, names.size()));
   }
-  return false;
+}
+
+NamedRules find_named_rules() {
+  NamedRules rules;
+  for (std::size_t row = 0; row < std::size(kConsequences); ++row) {
+    note_row(kConsequences[row].roots, row, &Named::as_root, rules);
+    note_row(kConsequences[row].rules, row, &Named::as_follower, rules);
+  }
+  return rules;
+}
+
+/// The table by rule: each file with findings asks for it.
+const NamedRules& named_rules() {
+  static const NamedRules kRules = find_named_rules();
+  return kRules;
 }
 
 /// Rules that compare a part with another one, which their message names.
@@ -176,32 +203,34 @@ class Roots {
 std::span<const Consequences> consequences() { return kConsequences; }
 
 Diagnostics without_consequences(Diagnostics found) {
-  // Few rules report on a file, and fewer rows are about two of them.
-  std::unordered_set<std::string_view> reported;
-  for (const Diagnostic& finding : found.list()) reported.insert(finding.rule);
-  const auto is_any_reported = [&reported](std::string_view list) {
-    return std::any_of(reported.begin(), reported.end(),
-                       [list](std::string_view rule) { return names(list, rule); });
-  };
-  std::vector<bool> follows(found.list().size(), false);
-  for (const Consequences& row : kConsequences) {
-    if (!is_any_reported(row.roots) || !is_any_reported(row.rules)) continue;
+  const std::vector<Diagnostic>& list = found.list();
+  std::vector<Named> named(list.size());
+  Named reported;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto rule = named_rules().find(list[i].rule);
+    if (rule == named_rules().end()) continue;
+    reported.as_root |= rule->second.as_root;
+    reported.as_follower |= rule->second.as_follower;
+    if (list[i].count == 1) named[i] = rule->second;
+  }
+  const Rows both = reported.as_root & reported.as_follower;
+  if (both.none()) return found;
+  std::vector<bool> follows(list.size(), false);
+  for (std::size_t row = 0; row < both.size(); ++row) {
+    if (!both[row]) continue;
+    const Link link = kConsequences[row].link;
     Roots roots;
-    std::vector<std::size_t> followers;
-    for (std::size_t i = 0; i < found.list().size(); ++i) {
-      const Diagnostic& finding = found.list()[i];
-      if (finding.count > 1) continue;
-      if (names(row.roots, finding.rule)) roots.add(finding, row.link);
-      if (names(row.rules, finding.rule)) followers.push_back(i);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (named[i].as_root[row]) roots.add(list[i], link);
     }
-    for (const std::size_t i : followers) {
-      if (roots.explain(found.list()[i], row.link)) follows[i] = true;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (named[i].as_follower[row] && roots.explain(list[i], link)) follows[i] = true;
     }
   }
   if (std::count(follows.begin(), follows.end(), true) == 0) return found;
   Diagnostics left;
   for (std::size_t i = 0; i < follows.size(); ++i) {
-    if (!follows[i]) left.add(found.list()[i]);
+    if (!follows[i]) left.add(list[i]);
   }
   return left;
 }

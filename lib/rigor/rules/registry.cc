@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include <rigor/rules/registered.h>
 
@@ -40,17 +41,23 @@ constexpr Renamed kRenamed[] = {
 
 std::string_view to_string(Category category) {
   constexpr std::array<std::string_view, 20> kNames{
-      "xml",      "schema",   "naming",      "reference", "frame",   "inertia", "kinematics",
-      "geometry", "mesh",     "physics",     "world",     "plugin",  "sensor",  "package",
-      "convert",  "simulate", "suppression", "xacro",     "assembly",
-      "mjcf"};
+      "xml",      "schema",   "naming",      "reference", "frame",    "inertia", "kinematics",
+      "geometry", "mesh",     "physics",     "world",     "plugin",   "sensor",  "package",
+      "convert",  "simulate", "suppression", "xacro",     "assembly", "mjcf"};
   static_assert(kNames.size() == static_cast<std::size_t>(Category::kMjcf) + 1);
   return kNames[static_cast<std::size_t>(category)];
 }
 
-Registry::Registry() : rules_(registered_rules()) {
-  std::sort(rules_.begin(), rules_.end(),
-            [](const Rule& a, const Rule& b) { return a.name < b.name; });
+Registry::Registry() {
+  std::vector<Rule> rules = registered_rules();
+  std::vector<Rule*> sorted;
+  sorted.reserve(rules.size());
+  for (Rule& rule : rules) sorted.push_back(&rule);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Rule* a, const Rule* b) { return a->name < b->name; });
+  rules_.reserve(rules.size());
+  for (Rule* rule : sorted) rules_.push_back(std::move(*rule));
+  pages_.reserve(rules_.size());
   for (const Rule& rule : rules_) pages_.push_back(pages_in_brief(rule));
 }
 

@@ -630,6 +630,8 @@ class Run {
 }  // namespace
 
 std::optional<std::string> unknown_name(const Selection& selection, const Registry& registry) {
+  if (selection.select.empty() && selection.ignore.empty() && selection.severity.empty())
+    return std::nullopt;
   std::set<std::string_view> known;
   for (const Rule& rule : registry.rules()) {
     known.insert(rule.name);

@@ -69,6 +69,7 @@ RuleSettings::RuleSettings(const SelectionOptions& options, const ConfigOptions&
 }
 
 std::vector<config::Problem> RuleSettings::unknown_names(const config::Config& config) const {
+  if (config.files.empty()) return {};
   const ConfigNames rules_and_categories("rule", names_of_rules(registry_));
   std::vector<config::Problem> problems;
   const auto check = [&](const config::RuleChoice& choice) {

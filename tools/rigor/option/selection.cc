@@ -84,10 +84,10 @@ std::optional<Severity> fail_on_level(const std::string& name) {
 
 std::vector<std::string_view> names_of_rules(const rules::Registry& registry) {
   std::vector<std::string_view> known;
+  std::set<rules::Category> categories;
   for (const rules::Rule& rule : registry.rules()) {
     known.push_back(rule.name);
-    const std::string_view category = to_string(rule.category);
-    if (std::find(known.begin(), known.end(), category) == known.end()) known.push_back(category);
+    if (categories.insert(rule.category).second) known.push_back(to_string(rule.category));
   }
   for (const std::string_view former : rules::former_names()) known.push_back(former);
   return known;

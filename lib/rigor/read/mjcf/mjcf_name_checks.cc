@@ -131,13 +131,16 @@ std::size_t mjcf_class_of(const MjcfScope& scope, xml::Element element, std::siz
 
 bool makes_names(const MjcfScope& scope) {
   bool makes = false;
-  walk_elements(scope.tree, [&makes](std::string_view section, xml::Element element) {
+  bool has_world = false;
+  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
     const std::string_view tag = element.name();
+    has_world = has_world || section == "worldbody";
     makes = makes || (section == "worldbody" && (tag == "attach" || tag == "composite" ||
                                                  tag == "flexcomp" || tag == "replicate"));
     makes = makes || (section == "asset" && tag == "model");
   });
-  return makes;
+  // Sensors or actuators without a world are a part of a model, to be included.
+  return makes || !has_world;
 }
 
 MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {

@@ -52,10 +52,7 @@ inline std::vector<Undone> placement_slips(const model::Vector3& written) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (written.*kCoordinates[k] == 0) continue;
       for (const double factor : {10.0, 100.0, 1000.0}) {
-        Undone change{written,
-                      factor == 10
-                          ? fmt::format("the decimal point of {} slipped", coordinate_name(k))
-                          : fmt::format("{} is {}", coordinate_name(k), slip_name(factor))};
+        Undone change{written, slip_of_coordinate(k, factor)};
         change.value.*kCoordinates[k] = divided(written.*kCoordinates[k], factor);
         result.push_back(std::move(change));
       }

@@ -378,12 +378,45 @@ class TwinCheck {
       decide_by_shapes(odd, all_[pair.a], all_[pair.b], context_);
     if (odd.confirmed < least_confirmed || odd.places().empty()) return;
     if (is_where_it_stands(a.numbers[odd.begin]) &&
-        may_be_anywhere(link_of(pair.a), link_of(pair.b), context_))
+        (may_be_anywhere(link_of(pair.a), link_of(pair.b), context_) || is_place_taken(pair, odd)))
       return;
     // A thumb is no finger: what only numbers tell apart may differ by intent.
     const bool meant = least_confirmed > 0 && !is_slip(odd);
     report(odd, odd.first ? pair.a : pair.b, odd.first ? pair.b : pair.a,
            meant ? Severity::kInfo : Severity::kWarning);
+  }
+
+  /// Of a joint, on which its origin counts; 0 for links, whose poses count in their model.
+  std::uint32_t parent_of(std::uint32_t i) const {
+    if constexpr (std::is_same_v<Entity, model::Link>) {
+      return 0;
+    } else {
+      return context_.frames().ends({i}).parent.value;
+    }
+  }
+
+  /// Whether one number of a value has the other sign, and all have the same size.
+  static bool is_mirror_image(const TwinNumbers& a, const TwinNumbers& b, const Odd& odd) {
+    if (b.size() < odd.end) return false;
+    std::size_t signs = 0;
+    for (std::size_t k = odd.begin; k < odd.end; ++k) {
+      if (!a[k].is_of_same_kind(b[k]) || !same_size(a[k].value, b[k].value)) return false;
+      signs += !same_size(a[k].value - b[k].value, 0);
+    }
+    return signs == 1;
+  }
+
+  /// Whether a part of another family is at the mirror image of the place of one of the two. Then parts in a row are
+  /// counted from one side, as sensors along a bumper: left and front_left, front_right and right.
+  bool is_place_taken(const Twins& pair, const Odd& odd) {
+    for (std::uint32_t i = 0; i < all_.size(); ++i) {
+      if (i == pair.a || i == pair.b || all_[i].model != all_[pair.a].model) continue;
+      if (parent_of(i) != parent_of(pair.a) || family_of(i) == family_of(pair.a)) continue;
+      const TwinNumbers& other = numbers_of(i).numbers;
+      if (is_mirror_image(*odd.wrong, other, odd) || is_mirror_image(*odd.right, other, odd))
+        return true;
+    }
+    return false;
   }
 
   void report(const Odd& odd, std::uint32_t wrong_index, std::uint32_t right_index,

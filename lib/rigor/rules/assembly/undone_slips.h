@@ -48,6 +48,12 @@ inline std::string slip_name(double factor) {
   return "its decimal point slipped";
 }
 
+/// Of one coordinate: "z is written in millimeters".
+inline std::string slip_of_coordinate(std::size_t k, double factor) {
+  if (factor == 10) return fmt::format("the decimal point of {} slipped", coordinate_name(k));
+  return fmt::format("{} is {}", coordinate_name(k), slip_name(factor));
+}
+
 /// A number of the file with its decimal point moved: its digits are kept.
 inline double with_digits_of_decimal(double product) {
   return write::number_in(fmt::format("{:.15g}", product)).value_or(product);
@@ -65,7 +71,7 @@ inline std::vector<Undone> undone_slips(const model::Vector3& written) {
     if (written.*kCoordinates[k] == 0) continue;
     ++used;
     for (const double factor : kFactors) {
-      Undone change{written, fmt::format("{} {}", coordinate_name(k), slip_name(factor))};
+      Undone change{written, slip_of_coordinate(k, factor)};
       change.value.*kCoordinates[k] = divided(written.*kCoordinates[k], factor);
       result.push_back(std::move(change));
     }
@@ -74,7 +80,7 @@ inline std::vector<Undone> undone_slips(const model::Vector3& written) {
     if (used < 2) break;
     result.push_back(
         {{divided(written.x, factor), divided(written.y, factor), divided(written.z, factor)},
-         "all of it " + slip_name(factor)});
+         factor == 10 ? "the decimal points slipped" : "all of it is " + slip_name(factor)});
   }
   for (std::size_t k = 0; k < 3; ++k) {
     if (written.*kCoordinates[k] == 0) continue;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -62,6 +64,12 @@ void check(const model::Link& link, Context& context) {
   const double solid = mass::trace(tensor) / *share;
   const double factor = std::max(*share, 1 / *share);
   const MomentSlip* slip = slip_of(link, *share, context);
+  // One placeholder is one finding, whatever the masses that it was given to.
+  std::string cause;
+  if (is_placeholder(tensor)) {
+    cause = fmt::format("placeholder {}, {}", std::max({tensor.ixx, tensor.iyy, tensor.izz}),
+                        *share > 1 ? "more" : "less");
+  }
   context.report({.where = link.inertial.tensor_site.name,
                   .message = fmt::format(
                       "ixx + iyy + izz is {:.4g} kg·m², {:.4g} times {} than the {:.4g} "
@@ -71,6 +79,7 @@ void check(const model::Link& link, Context& context) {
                   .help = help_for(tensor, *share, slip),
                   // Moments in another unit keep their digits; others are computed from the shapes.
                   .fix = slip ? undo(*slip, link.inertial) : fix_from_shapes(link, context),
+                  .cause = std::move(cause),
                   .why = *share > 1 ? "The link rotates as sluggishly as a much larger or heavier "
                                       "body would."
                                     : "Joints with such small moments make a simulation unstable.",

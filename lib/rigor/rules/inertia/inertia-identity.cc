@@ -36,6 +36,7 @@ void check(const model::Link& link, Context& context) {
        .message = std::move(message),
        .subject = context.subject(link),
        .fix = may_fit ? std::nullopt : fix_from_shapes(link, context),
+       .cause = "placeholder 1",
        .severity = may_fit || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 

@@ -22,7 +22,8 @@ void check(const model::Link& link, Context& context) {
            "the mass is {} kg, but there is no <inertia>: the moments are taken to be 1 kg·m²",
            inertial.mass.value),
        .subject = context.subject(link),
-       .fix = fix_from_shapes(link, context)});
+       .fix = fix_from_shapes(link, context),
+       .cause = "no tensor"});
 }
 
 Rule rule() {

@@ -60,7 +60,8 @@ void report(const model::Link& link, Context& context) {
            "' has no <inertial>: it is taken to be 1 kg with a moment of 1 kg·m² about every axis",
        .subject = context.subject(link),
        .help = comparison(link, context),
-       .fix = fix_from_shapes(link, context)});
+       .fix = fix_from_shapes(link, context),
+       .cause = std::string("links of ").append(context.sources().path(link.site.span.source))});
 }
 
 void check(const model::Model& model, Context& context) {

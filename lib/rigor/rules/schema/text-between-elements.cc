@@ -91,6 +91,7 @@ void check(const read::SchemaFact& fact, Context& context) {
     const std::string name(child->name());
     const std::string element = "<" + name + ">" + std::string(text) + "</" + name + ">";
     finding.message += ": the value of <" + name + "> is meant";
+    finding.help = "write " + element;
     finding.fix =
         Fix{"write " + element, Applicability::kUnsafe, {{trimmed_span(fact, context), element}}};
   } else if (!begins_with_number(text)) {
