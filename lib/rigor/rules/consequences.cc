@@ -4,6 +4,7 @@
 #include <rigor/rules/consequences.h>
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <iterator>
@@ -149,8 +150,8 @@ const NamedRules& named_rules() {
 }
 
 /// Rules that compare a part with another one, which their message names.
-constexpr std::string_view kComparisons =
-    "twin-value-differs twin-axis-differs sibling-value-differs";
+constexpr std::array<std::string_view, 3> kComparisons{"twin-value-differs", "twin-axis-differs",
+                                                       "sibling-value-differs"};
 
 /// What the roots of a row are about.
 class Roots {
@@ -166,8 +167,9 @@ class Roots {
 
   bool explain(const Diagnostic& finding, Link link) const {
     const std::string about = about_of(finding, link);
-    const std::vector<std::string> others =
-        names(kComparisons, finding.rule) ? others_of(finding, about) : std::vector<std::string>();
+    const bool compares =
+        std::find(kComparisons.begin(), kComparisons.end(), finding.rule) != kComparisons.end();
+    const auto others = compares ? others_of(finding, about) : std::vector<std::string>();
     return std::any_of(found_.begin(), found_.end(), [&](const auto& root) {
       // What is found of the other part as well explains no difference between them.
       const auto has = [&](const std::string& part) { return root.second.contains(part); };

@@ -28,7 +28,7 @@ using model::Id;
 using model::JointType;
 using model::Pose;
 
-constexpr int kFirstWithFrames = 7;
+constexpr int kFirstWithAttachedFrames = 7;
 
 /// "collision arm/shell": a part by its kind, link and name.
 using PartKey = std::pair<std::string, std::string>;
@@ -95,7 +95,7 @@ class Lumper {
 
   /// Whether names of links can stay as those of frames.
   bool has_frames() const {
-    return !edited_.is_urdf() && root_[edited_.model].version >= kFirstWithFrames;
+    return !edited_.is_urdf() && root_[edited_.model].version >= kFirstWithAttachedFrames;
   }
 
   /// Of SDF before 1.7, what would go on naming a link that is gone, and poses in frames that only 1.5 and 1.6 knew.
