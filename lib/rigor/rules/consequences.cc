@@ -119,14 +119,14 @@ constexpr Consequences kConsequences[] = {
 using Rows = std::bitset<std::size(kConsequences)>;
 
 /// The rows that name a rule.
-struct Named {
+struct RowsOfRule {
   Rows as_root, as_follower;
 };
 
-using NamedRules = std::unordered_map<std::string_view, Named>;
+using RowsByRule = std::unordered_map<std::string_view, RowsOfRule>;
 
 /// Of names with blanks between.
-void note_row(std::string_view names, std::size_t row, Rows Named::*as, NamedRules& rules) {
+void note_row(std::string_view names, std::size_t row, Rows RowsOfRule::*as, RowsByRule& rules) {
   while (!names.empty()) {
     const std::size_t end = std::min(names.find(' '), names.size());
     (rules[names.substr(0, end)].*as).set(row);
@@ -134,18 +134,18 @@ void note_row(std::string_view names, std::size_t row, Rows Named::*as, NamedRul
   }
 }
 
-NamedRules find_named_rules() {
-  NamedRules rules;
+RowsByRule find_rows_by_rule() {
+  RowsByRule rules;
   for (std::size_t row = 0; row < std::size(kConsequences); ++row) {
-    note_row(kConsequences[row].roots, row, &Named::as_root, rules);
-    note_row(kConsequences[row].rules, row, &Named::as_follower, rules);
+    note_row(kConsequences[row].roots, row, &RowsOfRule::as_root, rules);
+    note_row(kConsequences[row].rules, row, &RowsOfRule::as_follower, rules);
   }
   return rules;
 }
 
 /// The table by rule: each file with findings asks for it.
-const NamedRules& named_rules() {
-  static const NamedRules kRules = find_named_rules();
+const RowsByRule& rows_by_rule() {
+  static const RowsByRule kRules = find_rows_by_rule();
   return kRules;
 }
 
@@ -206,11 +206,11 @@ std::span<const Consequences> consequences() { return kConsequences; }
 
 Diagnostics without_consequences(Diagnostics found) {
   const std::vector<Diagnostic>& list = found.list();
-  std::vector<Named> named(list.size());
-  Named reported;
+  std::vector<RowsOfRule> named(list.size());
+  RowsOfRule reported;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const auto rule = named_rules().find(list[i].rule);
-    if (rule == named_rules().end()) continue;
+    const auto rule = rows_by_rule().find(list[i].rule);
+    if (rule == rows_by_rule().end()) continue;
     reported.as_root |= rule->second.as_root;
     reported.as_follower |= rule->second.as_follower;
     if (list[i].count == 1) named[i] = rule->second;
