@@ -47,7 +47,7 @@ TriangleMesh coarse_ball(double radius) {
 
 double surface_of(const TriangleMesh& mesh) {
   double sum = 0;
-  for (const Triangle& t : mesh.triangles) sum += area(facet(mesh, t));
+  for (const Triangle& t : mesh.triangles) sum += rigor::mesh::area(facet(mesh, t));
   return sum;
 }
 
