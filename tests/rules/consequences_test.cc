@@ -59,21 +59,6 @@ TEST(Consequences, OfAPartAreHiddenOfTheWhole) {
             2U);
 }
 
-TEST(Consequences, WhatTheTwinHasAsWellExplainsNoDifference) {
-  const auto differs = [] {
-    Diagnostic finding = found("twin-value-differs", kWarning, "cart/link left_wheel");
-    finding.message = "mass is 2 kg, and that of its twin 'right_wheel' 1 kg";
-    return finding;
-  };
-  const auto swapped = [](const std::string& link) {
-    return found("inertia-axes-swapped", kWarning, "cart/link " + link);
-  };
-  EXPECT_EQ(rules_left({swapped("left_wheel"), differs()}), Rules{"inertia-axes-swapped"});
-  EXPECT_EQ(rules_left({swapped("left_wheel"), swapped("caster"), differs()}),
-            (Rules{"inertia-axes-swapped", "inertia-axes-swapped"}));
-  EXPECT_EQ(rules_left({swapped("left_wheel"), swapped("right_wheel"), differs()}).size(), 3U);
-}
-
 TEST(Consequences, AreNotHiddenByWhatIsLessSevere) {
   EXPECT_EQ(rules_left({found("inertia-singular", kError, "arm/link a"),
                         found("inertia-identity", kWarning, "arm/link a")})

@@ -59,26 +59,6 @@ TEST(Slips, EffortIsComparedWithTheTorqueOfTheWeight) {
   EXPECT_EQ(found(rule, "a.urdf", pendulum("prismatic", "0 0 1", "5.8")), kSlipWarning);
 }
 
-TEST(Slips, EffortHasToHoldAllThatTheJointCarries) {
-  const std::string rule = "effort-below-gravity-load";
-  // 1 kg more, half a meter farther: 2 · 0.5 · 9.8 + 1 · 1 · 9.8 = 19.6 N·m.
-  const auto arm = [](const std::string& effort, const std::string& more = "") {
-    const std::string tip =
-        "<link name='c'><inertial><mass value='1'/><inertia ixx='0.1' ixy='0' ixz='0' iyy='0.1' "
-        "iyz='0' izz='0.1'/></inertial></link><joint name='k' type='fixed'><origin xyz='1 0 0'/>"
-        "<parent link='b'/><child link='c'/></joint>";
-    std::string text = pendulum("revolute", "0 1 0", effort);
-    return text.insert(text.find("<joint"), tip + more);
-  };
-  EXPECT_EQ(found(rule, "a.urdf", arm("19.7")), SlipSeverities{});
-  EXPECT_EQ(found(rule, "a.urdf", arm("19.5")), kSlipInfo);
-  // Of what two joints carry nobody knows which of them bears it.
-  EXPECT_EQ(
-      found(rule, "a.urdf",
-            arm("1", "<joint name='l' type='fixed'><parent link='a'/><child link='c'/></joint>")),
-      SlipSeverities{});
-}
-
 TEST(Slips, EffortIsComparedBetweenTheLimits) {
   const std::string rule = "effort-below-gravity-load";
   const auto between = [&](const std::string& limits, const std::string& effort) {

@@ -4,7 +4,6 @@
 #include <rigor/rules/consequences.h>
 
 #include <algorithm>
-#include <array>
 #include <bitset>
 #include <cstddef>
 #include <iterator>
@@ -149,17 +148,13 @@ const RowsByRule& rows_by_rule() {
   return kRules;
 }
 
-/// Rules that compare a part with another one, which their message names.
-constexpr std::array<std::string_view, 3> kComparisons{"twin-value-differs", "twin-axis-differs",
-                                                       "sibling-value-differs"};
-
 /// What the roots of a row are about.
 class Roots {
  public:
   void add(const Diagnostic& finding, Link link) {
     std::string about = about_of(finding, link);
     // The entity, and those that it is a part of.
-    while (!about.empty() && found_[{finding.severity, finding.rule}].insert(about).second) {
+    while (!about.empty() && found_[finding.severity].insert(about).second) {
       const std::size_t slash = link == Link::kSubject ? about.rfind('/') : std::string::npos;
       about.resize(slash == std::string::npos ? 0 : slash);
     }
@@ -167,14 +162,8 @@ class Roots {
 
   bool explain(const Diagnostic& finding, Link link) const {
     const std::string about = about_of(finding, link);
-    const bool compares =
-        std::find(kComparisons.begin(), kComparisons.end(), finding.rule) != kComparisons.end();
-    const auto others = compares ? others_of(finding, about) : std::vector<std::string>();
-    return std::any_of(found_.begin(), found_.end(), [&](const auto& root) {
-      // What is found of the other part as well explains no difference between them.
-      const auto has = [&](const std::string& part) { return root.second.contains(part); };
-      return root.first.first <= finding.severity && has(about) &&
-             std::none_of(others.begin(), others.end(), has);
+    return std::any_of(found_.begin(), found_.end(), [&](const auto& of_severity) {
+      return of_severity.first <= finding.severity && of_severity.second.contains(about);
     });
   }
 
@@ -183,21 +172,7 @@ class Roots {
     return link == Link::kSubject ? finding.subject : finding.cause;
   }
 
-  /// "robot/link right_wheel" of a finding on "robot/link left_wheel" whose message names 'right_wheel'.
-  static std::vector<std::string> others_of(const Diagnostic& finding, const std::string& about) {
-    std::vector<std::string> others;
-    const std::string kind = about.substr(0, about.rfind(' ') + 1);
-    const std::string& message = finding.message;
-    for (std::size_t at = message.find('\''); at != std::string::npos;) {
-      const std::size_t end = message.find('\'', at + 1);
-      if (end == std::string::npos) break;
-      others.push_back(kind + message.substr(at + 1, end - at - 1));
-      at = message.find('\'', end + 1);
-    }
-    return others;
-  }
-
-  std::map<std::pair<Severity, std::string_view>, std::unordered_set<std::string>> found_;
+  std::map<Severity, std::unordered_set<std::string>> found_;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 //
 // add: what is added passes every rule that is on by default.
 
-#include <rigor/author/verbs/add.h>
+#include <rigor/author/verbs/add/add.h>
 
 #include <gtest/gtest.h>
 

@@ -125,13 +125,12 @@ double likeness_of(const std::vector<SeenShape>& all) {
   return seen ? robot::likeness(joined_with(all, *touched, touched->bounds_L), *seen) : 1;
 }
 
-/// Whether a finding was reported.
-bool check_link(std::uint32_t link, Context& context) {
+void check_link(std::uint32_t link, Context& context) {
   const model::Root& root = context.root();
   const std::vector<SeenShape> all = seen_shapes(link, context);
-  if (all.size() < 2 || all.size() > kMaxShapes) return false;
+  if (all.size() < 2 || all.size() > kMaxShapes) return;
   const double now = likeness_of(all);
-  if (now > kUnlike) return false;
+  if (now > kUnlike) return;
   const SeenShape* wrong = nullptr;
   std::optional<Better> best;
   for (const SeenShape& one : all) {
@@ -141,7 +140,7 @@ bool check_link(std::uint32_t link, Context& context) {
     best = std::move(found);
     wrong = &one;
   }
-  if (wrong == nullptr) return false;
+  if (wrong == nullptr) return;
   const model::Pose& then = best->repose.X_LS;
   const char* what = best->repose.turned ? "rotation" : "origin";
   context.report(
@@ -157,122 +156,6 @@ bool check_link(std::uint32_t link, Context& context) {
        .fix = best->repose.turned ? std::nullopt
                                   : translation_fix(*wrong->pose, then.translation, context),
        .severity = best->repose.copied ? std::optional(Severity::kInfo) : std::nullopt});
-  return true;
-}
-
-/// Where a collision and a visual that are as long along an axis begin and end together, once a coordinate of one
-/// origin is that of the other.
-struct Shifted {
-  std::size_t coordinate = 0;
-  double apart = 0;  ///< m
-  double length = 0;
-};
-
-std::optional<Shifted> shifted(const SeenShape& touched, const SeenShape& seen) {
-  // Of their length along the axis: how far their ends may be from each other, and how far they are now.
-  constexpr double kTogether = 0.02;
-  constexpr double kApart = 0.1;
-  constexpr double kLeast = 0.005;  // m
-  const Vector3 d = touched.pose->pose.value.translation - seen.pose->pose.value.translation;
-  std::optional<Shifted> found;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto at = kCoordinates[k];
-    const double low = touched.bounds_L.min.*at - seen.bounds_L.min.*at;
-    const double high = touched.bounds_L.max.*at - seen.bounds_L.max.*at;
-    const double length = seen.bounds_L.max.*at - seen.bounds_L.min.*at;
-    const double apart = std::min(std::abs(low), std::abs(high));
-    if (apart < std::max(kLeast, kApart * length)) continue;
-    const double left = std::max(std::abs(low - d.*at), std::abs(high - d.*at));
-    if (found || left > kTogether * length) return std::nullopt;
-    found = Shifted{k, apart, length};
-  }
-  return found;
-}
-
-/// A cylinder or box that lies half its length off its visual, as one whose origin was left out does: the coordinate
-/// that puts it there.
-std::optional<Shifted> half_off(const SeenShape& touched, const SeenShape& seen) {
-  // Of their length along the axis.
-  constexpr double kTogether = 0.1;
-  constexpr double kHalf = 0.05;
-  std::optional<Shifted> found;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto at = kCoordinates[k];
-    const double low = touched.bounds_L.min.*at - seen.bounds_L.min.*at;
-    const double high = touched.bounds_L.max.*at - seen.bounds_L.max.*at;
-    const double length = touched.bounds_L.max.*at - touched.bounds_L.min.*at;
-    const double shift = (low + high) / 2;
-    if (std::abs(shift) < kTogether * length) {
-      if (std::abs(high - low) > kTogether * length) return std::nullopt;
-      continue;
-    }
-    const bool half = std::abs(std::abs(shift) - length / 2) < kHalf * length;
-    const bool left_out = touched.pose->pose.value.translation.*at == 0;
-    if (found || !half || !left_out || std::abs(high - low) > kTogether * length)
-      return std::nullopt;
-    found = Shifted{k, std::abs(shift), length};
-  }
-  return found;
-}
-
-/// Of two shapes that differ in one coordinate the one where it was left out; else the one that is farther from the
-/// center of mass along it. Null where neither tells.
-const SeenShape* shifted_one(const SeenShape& a, const SeenShape& b, std::size_t k,
-                             const model::Link& link) {
-  const auto at = kCoordinates[k];
-  const double p = a.pose->pose.value.translation.*at, q = b.pose->pose.value.translation.*at;
-  if (p == 0 || q == 0) return p == 0 ? &a : &b;
-  if (!link.inertial.pose.pose.written) return nullptr;
-  const double com = link.inertial.pose.pose.value.translation.*at;
-  const auto off = [&](const SeenShape& one) {
-    return std::abs(0.5 * (one.bounds_L.min.*at + one.bounds_L.max.*at) - com);
-  };
-  constexpr double kClear = 2;
-  if (off(a) > kClear * off(b)) return &a;
-  return off(b) > kClear * off(a) ? &b : nullptr;
-}
-
-/// One collision and one visual of a link, which one coordinate keeps apart.
-void look_for_shifted(std::uint32_t i, Context& context) {
-  const std::vector<SeenShape> all = seen_shapes(i, context);
-  if (all.size() != 2 || all[0].is_collision() == all[1].is_collision()) return;
-  if (!all[0].pose->relative_to.value.empty() || !all[1].pose->relative_to.value.empty()) return;
-  const SeenShape& touched = all[0].is_collision() ? all[0] : all[1];
-  const SeenShape& seen = all[0].is_collision() ? all[1] : all[0];
-  // Of one shape written twice another rule speaks.
-  if (touched.geometry->shape.index() == seen.geometry->shape.index()) return;
-  if (const auto off = half_off(touched, seen)) {
-    context.report(
-        {.where = touched.pose->pose.written ? place_of(*touched.pose, context)
-                                             : touched.geometry->site.name,
-         .message = fmt::format("the collision is {:.3g} m away from the visual along {}, half of "
-                                "its own length",
-                                off->apart, coordinate_name(off->coordinate)),
-         .subject = context.subject(context.root().links[i]),
-         .help = "its origin is its middle: was it left out?",
-         .severity = Severity::kInfo});
-    return;
-  }
-  const auto found = shifted(touched, seen);
-  if (!found) return;
-  const model::Link& link = context.root().links[i];
-  const SeenShape* wrong = shifted_one(touched, seen, found->coordinate, link);
-  const SeenShape& at = wrong ? *wrong : touched;
-  const SeenShape& other = &at == &touched ? seen : touched;
-  Vector3 value = at.pose->pose.value.translation;
-  value.*kCoordinates[found->coordinate] =
-      other.pose->pose.value.translation.*kCoordinates[found->coordinate];
-  context.report(
-      {.where = at.pose->pose.written ? place_of(*at.pose, context) : at.geometry->site.name,
-       .message = fmt::format("the collision and the visual are both {:.3g} m long along {} and "
-                              "{:.3g} m apart",
-                              found->length, coordinate_name(found->coordinate), found->apart),
-       .subject = context.subject(link),
-       .help = fmt::format("with {}, the {} of the {}, they begin and end together",
-                           written_as(value), coordinate_name(found->coordinate), role_name(other)),
-       .fix = wrong && at.pose->pose.written ? translation_fix(*at.pose, value, context)
-                                             : std::nullopt,
-       .severity = Severity::kInfo});
 }
 
 void check(const model::Root& root, Context& context) {
@@ -282,8 +165,7 @@ void check(const model::Root& root, Context& context) {
     const std::size_t count = link.collisions.size() + link.visuals.size();
     if (count < 2 || !root.own(link.site)) continue;
     if (look_for_loose(i, context) || link.collisions.empty() || link.visuals.empty()) continue;
-    if (!context.assembled().links[i].complete()) continue;
-    if (!check_link(i, context)) look_for_shifted(i, context);
+    if (context.assembled().links[i].complete()) check_link(i, context);
   }
 }
 
@@ -293,13 +175,11 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a collision and a visual fit each other once a slip in an origin is undone",
-      .why =
-          "What is seen is not what is touched. The box around the link's collisions and that "
-          "around its visuals share little, and much once a unit, a decimal point, a sign, two "
-          "exchanged coordinates or a rotation in one origin is put right, or the other's "
-          "origin is written (an info where its own says another place). Two that are as long as "
-          "each other along an axis, and begin and end together with the other's coordinate, "
-          "are an info. The only shape of a link is compared with the links around it.",
+      .why = "What is seen is not what is touched. The box around the link's collisions and that "
+             "around its visuals share little, and much once a unit, a decimal point, a sign, two "
+             "exchanged coordinates or a rotation in one origin is put right, or the other's "
+             "origin is written (an info where its own says another place). The only shape of a "
+             "link is compared with the links around it.",
       .what_to_do = "Write the origin that makes them fit.",
       .checks = {on<model::Root>(check)},
   };

@@ -173,17 +173,6 @@ inline bool look_at_mass(const SeenShape& one, std::uint32_t link, Context& cont
   return false;
 }
 
-/// Whether the shape touches one of the link that carries it, as nearly all do.
-inline bool touches_carrier(const SeenShape& one, Context& context) {
-  const robot::Assembled& robot = context.assembled();
-  const auto parent = context.frames().ends(robot.links[one.shape->link].carrier).parent;
-  if (!parent) return false;
-  const std::vector<std::uint32_t>& shapes = robot.links[parent.value].shapes;
-  return std::any_of(shapes.begin(), shapes.end(), [&](std::uint32_t s) {
-    return robot::separation(one.shape->box_W, robot.shapes[s].box_W) <= 0;
-  });
-}
-
 /// Shapes without a counterpart are compared with the links around them.
 inline void check_lone_shapes(Context& context) {
   const robot::Assembled& robot = context.assembled();
@@ -191,9 +180,7 @@ inline void check_lone_shapes(Context& context) {
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
     const auto one = lone_shape(i, context);
     if (!one || look_at_mass(*one, i, context)) continue;
-    if (nonzero_coordinates(one->pose->pose.value.translation) > 0 &&
-        !touches_carrier(*one, context))
-      lone.push_back(i);
+    if (nonzero_coordinates(one->pose->pose.value.translation) > 0) lone.push_back(i);
   }
   constexpr std::size_t kFewestLinks = 4;
   if (lone.empty() || robot.links.size() < kFewestLinks) return;

@@ -10,10 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/core.h>
@@ -22,7 +19,6 @@
 #include <rigor/robot/assembled/oriented_box.h>
 #include <rigor/robot/assembled/siblings.h>
 #include <rigor/rules/assembly/placed_units.h>
-#include <rigor/rules/assembly/placement_slips.h>
 #include <rigor/rules/assembly/sibling_fields.h>
 #include <rigor/rules/rule.h>
 
@@ -58,8 +54,7 @@ std::string name_of(const SiblingField& field) {
 
 struct Comparison {
   std::size_t agreeing = 0;
-  std::vector<std::size_t> different;  ///< but for where they are, and how shapes are turned
-  std::vector<std::size_t> turned;     ///< rotations that differ
+  std::vector<std::size_t> different;  ///< but for where they are
   bool same_place = true;
 };
 
@@ -68,10 +63,7 @@ std::optional<Comparison> compared_fields(const Fields& a, const Fields& b) {
   Comparison result;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!same_text(a[i].name, b[i].name) || !same_text(a[i].part, b[i].part)) return std::nullopt;
-    const bool same = same_field(a[i], b[i]);
-    if (a[i].kind == FieldKind::kRotation) {
-      if (!same) result.turned.push_back(i);
-    } else if (same) {
+    if (same_field(a[i], b[i])) {
       result.agreeing += is_empty(a[i]) ? 0 : 1;
     } else if (is_place(a[i])) {
       result.same_place = false;
@@ -111,9 +103,10 @@ void add_odd(std::uint32_t one, std::size_t field, const std::vector<std::uint32
 std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::vector<Fields>& all) {
   std::vector<Odd> result;
   for (const std::uint32_t one : group) {
-    std::map<std::size_t, std::vector<std::uint32_t>> by_field, by_rotation;
+    std::map<std::size_t, std::vector<std::uint32_t>> by_field;
+    std::set<std::size_t> shared;  // fields in which a like part has the same
     std::vector<std::uint32_t> elsewhere;
-    bool alone = true, alone_in_place = true, alone_in_rotation = true;
+    bool alone = true, alone_in_place = true;
     for (const std::uint32_t other : group) {
       if (other == one) continue;
       const auto found = compared_fields(all[one], all[other]);
@@ -122,17 +115,12 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
       if (found->agreeing < kAgreeing) continue;
       if (found->different.size() == 1) by_field[found->different.front()].push_back(other);
       if (!found->different.empty()) continue;
-      if (found->turned.size() == 1) by_rotation[found->turned.front()].push_back(other);
-      if (found->turned.empty()) alone_in_rotation = false;
       alone = false;
       if (!found->same_place) elsewhere.push_back(other);
     }
     // Another part that is the same confirms all but the place.
     if (alone) {
       for (const auto& [field, others] : by_field) add_odd(one, field, others, all, result);
-    }
-    if (alone_in_rotation) {
-      for (const auto& [field, others] : by_rotation) add_odd(one, field, others, all, result);
     }
     const auto place = place_field(all[one]);
     if (place && alone_in_place) add_odd(one, *place, elsewhere, all, result);
@@ -145,7 +133,6 @@ std::string slip_between(const SiblingField& wrong, const SiblingField& right) {
   const SmallList &a = wrong.values, &b = right.values;
   if (wrong.kind == FieldKind::kType) return "another type is written";
   if (is_empty(wrong)) return "it was left out";
-  if (wrong.kind == FieldKind::kRotation) return {};
   std::vector<double> p, q;
   for (const double value : a) p.push_back(std::abs(value));
   for (const double value : b) q.push_back(std::abs(value));
@@ -174,11 +161,6 @@ std::string slip_between(const SiblingField& wrong, const SiblingField& right) {
 }
 
 std::string numbers_of(const SiblingField& field) {
-  if (field.kind == FieldKind::kRotation) {
-    constexpr double kDegrees = 180 / 3.14159265358979323846;
-    const double w = std::abs(field.pose->pose.value.rotation.w);
-    return fmt::format(" {:.3g}°", 2 * std::acos(std::min(1.0, w)) * kDegrees);
-  }
   if (field.kind == FieldKind::kType) {
     const auto type = static_cast<model::JointType>(static_cast<int>(field.values.front()));
     return fmt::format(" '{}'", model::to_string(type));
@@ -208,8 +190,7 @@ std::optional<model::Vector3> with_signs(const model::Vector3& wrong, const Smal
 
 std::optional<Fix> fix_for(const SiblingField& wrong, const SiblingField& right,
                            const Context& context) {
-  // The signs of the others' rotations need not be those of this one.
-  if (wrong.span.nowhere() || wrong.kind == FieldKind::kRotation) return std::nullopt;
+  if (wrong.span.nowhere()) return std::nullopt;
   if (wrong.kind == FieldKind::kType && !right.span.nowhere()) {
     const std::string type(context.bytes(right.span));
     return Fix{"write " + type, Applicability::kUnsafe, {{wrong.span, type}}};
@@ -285,15 +266,6 @@ bool is_elsewhere(const SiblingField& a, const SiblingField& b) {
   return false;
 }
 
-/// Of two whose shapes are turned otherwise in one place: that one is not turned at all.
-std::vector<Odd> odd_rotation(std::uint32_t a, std::uint32_t b, std::size_t field,
-                              const std::vector<Fields>& all) {
-  const bool first = is_empty(all[a][field]), second = is_empty(all[b][field]);
-  if (first == second) return {};
-  if (first) return {{a, field, {b}}};
-  return {{b, field, {a}}};
-}
-
 /// Of two alone: where they are, where a shape is or how large, and that by a slip.
 template <class Support>
 std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector<Fields>& all,
@@ -303,12 +275,7 @@ std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector
   std::optional<std::size_t> field;
   if (found->different.size() == 1 && found->same_place) field = found->different.front();
   if (found->different.empty() && !found->same_place) field = place_field(all[a]);
-  if (!field && found->turned.empty()) return {};
-  if (found->agreeing < enough && found->agreeing + support(a, b) < enough) return {};
-  if (!field) {
-    const bool only = found->different.empty() && found->same_place && found->turned.size() == 1;
-    return only ? odd_rotation(a, b, found->turned.front(), all) : std::vector<Odd>();
-  }
+  if (!field || (found->agreeing < enough && found->agreeing + support(a, b) < enough)) return {};
   const SiblingField& one = all[a][*field];
   const SiblingField& other = all[b][*field];
   if (one.kind != FieldKind::kOrigin && one.kind != FieldKind::kSize) return {};
@@ -374,11 +341,8 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   // One rudder among ailerons.
   const bool pair = odd.right.size() == 1 &&
                     are_sides(all[odd.wrong].name.value, all[odd.right.front()].name.value);
-  constexpr bool kOfShape =
-      !std::is_same_v<Entity, model::Link> && !std::is_same_v<Entity, model::Joint>;
-  const bool doubtful = kOfShape || (!many && !pair) || wrong.kind == FieldKind::kAxis ||
-                        wrong.kind == FieldKind::kNumber ||
-                        (wrong.kind == FieldKind::kRotation && !many);
+  const bool doubtful =
+      (!many && !pair) || wrong.kind == FieldKind::kAxis || wrong.kind == FieldKind::kNumber;
   if (doubtful) finding.severity = Severity::kInfo;
   context.report(std::move(finding));
 }
@@ -418,153 +382,6 @@ std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::uin
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return groups;
-}
-
-/// The origin of one of several like parts, of which all others have some coordinates in common: wheels at one height,
-/// rotors as far to the side.
-struct OddPlace {
-  std::uint32_t wrong = 0;
-  std::vector<std::size_t> shared;  ///< coordinates
-  std::uint32_t like = 0;           ///< one of the others
-  std::optional<Undone> change;     ///< with which it has them too; nothing where it was left out
-};
-
-/// The coordinates that all of a group but one have, up to their sign.
-std::vector<std::size_t> shared_coordinates(const std::vector<std::uint32_t>& others,
-                                            std::size_t place, const std::vector<Fields>& all) {
-  std::vector<std::size_t> shared;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double value = all[others.front()][place].values[k];
-    const auto same = [&](std::uint32_t other) {
-      return same_size(all[other][place].values[k], value);
-    };
-    if (value != 0 && std::all_of(others.begin(), others.end(), same)) shared.push_back(k);
-  }
-  return shared;
-}
-
-std::optional<OddPlace> odd_place(const std::vector<std::uint32_t>& group,
-                                  const std::vector<Fields>& all) {
-  constexpr std::size_t kFewestLike = 4;
-  const auto place = place_field(all[group.front()]);
-  if (group.size() < kFewestLike || !place) return std::nullopt;
-  for (const std::uint32_t one : group) {
-    const auto found = compared_fields(all[group.front()], all[one]);
-    if (!found || !found->different.empty() || !all[one][*place].pose) return std::nullopt;
-  }
-  std::optional<OddPlace> odd;
-  for (const std::uint32_t one : group) {
-    std::vector<std::uint32_t> others = group;
-    std::erase(others, one);
-    OddPlace here{one, shared_coordinates(others, *place, all), others.front(), {}};
-    const SmallList& right = all[here.like][*place].values;
-    const auto has = [&](const model::Vector3& value) {
-      return std::all_of(here.shared.begin(), here.shared.end(), [&](std::size_t k) {
-        return same_size(std::abs(value.*kCoordinates[k]), right[k]);
-      });
-    };
-    const model::Vector3& written = all[one][*place].pose->pose.value.translation;
-    if (has(written)) continue;
-    for (Undone& change : placement_slips(written)) {
-      if (!here.change && has(change.value)) here.change = std::move(change);
-    }
-    const bool left_out = nonzero_coordinates(written) == 0 && here.shared.size() > 1;
-    if (!here.change && !left_out) continue;
-    if (odd) return std::nullopt;  // then nobody knows which
-    odd = std::move(here);
-  }
-  return odd;
-}
-
-/// A coordinate that all of several like parts but one have with one sign.
-struct OddSign {
-  std::uint32_t wrong = 0;
-  std::size_t field = 0;
-  std::size_t coordinate = 0;
-  std::uint32_t like = 0;  ///< one of the others
-};
-
-/// In those that differ in nothing else, of four or more: two and two are the sides of a robot.
-std::optional<OddSign> odd_sign(const std::vector<std::uint32_t>& group,
-                                const std::vector<Fields>& all) {
-  constexpr std::size_t kFewestLike = 4;
-  if (group.size() < kFewestLike) return std::nullopt;
-  const Fields& first = all[group.front()];
-  for (const std::uint32_t one : group) {
-    const auto found = compared_fields(first, all[one]);
-    if (!found || !found->different.empty() || !found->turned.empty()) return std::nullopt;
-  }
-  std::optional<OddSign> odd;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (first[i].kind != FieldKind::kOrigin) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto has_size = [&](std::uint32_t one) {
-        return same_size(all[one][i].values[k], first[i].values[k]);
-      };
-      if (first[i].values[k] == 0 || !std::all_of(group.begin(), group.end(), has_size)) continue;
-      std::vector<std::uint32_t> below;
-      for (const std::uint32_t one : group) {
-        if (all[one][i].pose->pose.value.translation.*kCoordinates[k] < 0) below.push_back(one);
-      }
-      if (below.size() != 1 && below.size() + 1 != group.size()) continue;
-      if (odd) return std::nullopt;
-      std::uint32_t wrong = below.front();
-      if (below.size() > 1) {
-        wrong = *std::find_if(group.begin(), group.end(), [&](std::uint32_t one) {
-          return std::find(below.begin(), below.end(), one) == below.end();
-        });
-      }
-      odd = OddSign{wrong, i, k, wrong == group.front() ? group.back() : group.front()};
-    }
-  }
-  return odd;
-}
-
-template <class Entity>
-void report_sign(const OddSign& odd, std::size_t count, const std::vector<Entity>& all,
-                 const std::vector<Fields>& fields, Context& context) {
-  constexpr double kFarEnough = 5e-3;  // m
-  const SiblingField& wrong = fields[odd.wrong][odd.field];
-  model::Vector3 value = wrong.pose->pose.value.translation;
-  if (std::abs(value.*kCoordinates[odd.coordinate]) < kFarEnough) return;
-  value.*kCoordinates[odd.coordinate] = -1 * value.*kCoordinates[odd.coordinate];
-  context.report(
-      {.where = wrong.span,
-       .message = fmt::format(
-           "{} {} has another sign in {} than those of {} parts of the same kind, '{}' and others",
-           name_of(wrong), written_as(wrong.pose->pose.value.translation),
-           coordinate_name(odd.coordinate), count, all[odd.like].name.value),
-       .subject = context.subject(all[odd.wrong]),
-       .help = fmt::format("with {} it is as in the others: the sign of {} was lost",
-                           written_as(value), coordinate_name(odd.coordinate)),
-       .fix = translation_fix(*wrong.pose, value, context),
-       .cause = all[odd.wrong].name.value + name_of(wrong)});
-}
-
-template <class Entity>
-void report_place(const OddPlace& odd, std::size_t count, const std::vector<Entity>& all,
-                  const std::vector<Fields>& fields, Context& context) {
-  const std::size_t place = *place_field(fields[odd.wrong]);
-  const SiblingField& wrong = fields[odd.wrong][place];
-  const SmallList& right = fields[odd.like][place].values;
-  const model::Vector3& written = wrong.pose->pose.value.translation;
-  std::string shared;
-  for (const std::size_t k : odd.shared)
-    shared +=
-        fmt::format("{}{} {:.6g} m", shared.empty() ? "" : ", ", coordinate_name(k), right[k]);
-  context.report(
-      {.where = wrong.span.nowhere() ? all[odd.wrong].site.name : wrong.span,
-       .message =
-           fmt::format("{} {} differs from those of {} parts of the same kind, "
-                       "'{}' and others, which have {} but for the sign",
-                       wrong.name, written_as(written), count, all[odd.like].name.value, shared),
-       .subject = context.subject(all[odd.wrong]),
-       .help = odd.change ? fmt::format("with {} it has: {}", written_as(odd.change->value),
-                                        odd.change->slip)
-                          : "was its origin left out?",
-       .fix = odd.change ? translation_fix(*wrong.pose, odd.change->value, context) : std::nullopt,
-       .cause = all[odd.wrong].name.value + std::string(wrong.name),
-       .severity = odd.change ? std::nullopt : std::optional(Severity::kInfo)});
 }
 
 /// `support` counts what else of two parts agrees: of a joint, the link that it carries.
@@ -608,59 +425,11 @@ void check_family(const std::vector<Entity>& all, const List& list, const Suppor
         reported.emplace(odd.wrong, odd.field);
         report(odd, all, of_all, context);
       }
-      // A thumb is at another side than fingers.
-      const auto is_alike = [&](std::uint32_t i) {
-        return robot::family_name(all[i].name.value) ==
-               robot::family_name(all[group.front()].name.value);
-      };
-      if (!std::all_of(group.begin(), group.end(), is_alike)) continue;
-      const auto place = odd_place(group, of_all);
-      if (place && reported.emplace(place->wrong, *place_field(of_all[place->wrong])).second)
-        report_place(*place, group.size() - 1, all, of_all, context);
-      const auto sign = odd_sign(group, of_all);
-      if (sign && reported.emplace(sign->wrong, sign->field).second)
-        report_sign(*sign, group.size() - 1, all, of_all, context);
-    }
-  }
-}
-
-/// Whether two shapes are of one kind: of meshes, of one file.
-bool are_alike(const model::Geometry& a, const model::Geometry& b) {
-  const auto* mesh = std::get_if<model::Mesh>(&a.shape);
-  const auto* other = std::get_if<model::Mesh>(&b.shape);
-  if (mesh == nullptr || other == nullptr) return a.shape.index() == b.shape.index();
-  return mesh->uri.value == other->uri.value && mesh->submesh.value == other->submesh.value;
-}
-
-/// The left and the right ones among the collisions, or the visuals, of each link.
-template <class Part, class IdsOf>
-void check_shapes(const std::vector<Part>& all, const IdsOf& ids_of, Context& context) {
-  SiblingLister lister(context);
-  std::vector<Fields> fields;
-  std::vector<std::string_view> names;
-  const auto none = [](std::uint32_t, std::uint32_t) { return std::size_t{0}; };
-  for (const model::Link& link : context.root().links) {
-    const auto& ids = ids_of(link);
-    if (ids.size() < kFewest || !context.root().own(link.site)) continue;
-    names.clear();
-    for (const auto id : ids) names.push_back(all[id.value].name.value);
-    fields.resize(all.size());
-    for (const robot::Twins& pair : robot::twins(names, robot::Side::kAcross)) {
-      const std::uint32_t a = ids[pair.a].value, b = ids[pair.b].value;
-      if (!are_alike(all[a].geometry, all[b].geometry)) continue;
-      fields[a] = lister.of_shape(all[a]);
-      fields[b] = lister.of_shape(all[b]);
-      for (const Odd& odd : odd_of_pair(a, b, fields, none, 1)) report(odd, all, fields, context);
     }
   }
 }
 
 void check(const model::Root& root, Context& context) {
-  check_shapes(
-      root.collisions, [](const model::Link& link) -> const auto& { return link.collisions; },
-      context);
-  check_shapes(
-      root.visuals, [](const model::Link& link) -> const auto& { return link.visuals; }, context);
   if (root.links.size() <= kFewest) return;
   SiblingLister lister(context);
   const auto links_agree = [&](std::uint32_t a, std::uint32_t b) -> std::size_t {
@@ -689,9 +458,8 @@ Rule rule() {
              "names say that the parts are of one kind (rotor_0, rotor_1, …; FL_calf, RR_calf), at "
              "least three of them have the same values but for signs, and so has this one but for "
              "a single value, which a slip explains: a factor of 2, 10, 25.4, 100 or 1000, a "
-             "number or a shape's rotation that was left out or exchanged, another type; or all "
-             "have a coordinate of their places in common (wheels at one height) but this one. "
-             "With less evidence it is an info, and so are two collisions or visuals of one link.",
+             "number that was left out or exchanged, another type. With less evidence it is an "
+             "info.",
       .what_to_do = "Write the value of the others.",
       .checks = {on<model::Root>(check)},
   };

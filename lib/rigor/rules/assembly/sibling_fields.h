@@ -26,9 +26,8 @@ namespace rigor::rules {
 
 enum class FieldKind : std::uint8_t {
   kNumber,
-  kSize,      ///< of a shape, m, or a mesh's scale
-  kOrigin,    ///< m
-  kRotation,  ///< of a shape: of its axis where it is round, else of all of it
+  kSize,    ///< of a shape, m, or a mesh's scale
+  kOrigin,  ///< m
   kAxis,
   kLimits,  ///< rad or m
   kType,
@@ -58,7 +57,7 @@ struct SiblingField {
   const char* unit = "";
   SmallList values;                              ///< to be compared
   Span span;                                     ///< of what is written; nowhere when nothing is
-  const model::PoseField* pose = nullptr;        ///< of an origin or a rotation
+  const model::PoseField* pose = nullptr;        ///< of an origin
   const model::Field<double>* number = nullptr;  ///< of a number, or of a size that is one
   const model::Field<model::Vector3>* vector = nullptr;  ///< of an axis, or of a size that is three
 };
@@ -75,14 +74,6 @@ class SiblingLister {
     add_origin("center of mass", link.inertial.pose);
     for (const auto id : link.collisions) add_shape("collision", root[id].pose, root[id].geometry);
     for (const auto id : link.visuals) add_shape("visual", root[id].pose, root[id].geometry);
-    return std::move(fields_);
-  }
-
-  /// Of a collision or a visual by itself.
-  template <class Part>
-  std::vector<SiblingField> of_shape(const Part& part) {
-    begin();
-    add_shape({}, part.pose, part.geometry);
     return std::move(fields_);
   }
 
@@ -138,33 +129,6 @@ class SiblingLister {
                        .pose = &pose});
   }
 
-  /// Without the signs that a mirror image exchanges. A ball has none.
-  void add_rotation(std::string_view part, const model::PoseField& pose,
-                    const model::Shape& shape) {
-    if (std::holds_alternative<model::Sphere>(shape)) return;
-    const model::Quaternion& q = pose.pose.value.rotation;
-    model::Vector3 turned{q.x, q.y, q.z};
-    const bool round = std::holds_alternative<model::Cylinder>(shape) ||
-                       std::holds_alternative<model::Capsule>(shape);
-    if (round) {
-      turned = rotate(q, {0, 0, 1});
-      turned.z = 0;
-    }
-    // Half a turn is how a part is mounted on the other side.
-    constexpr double kHalfTurn = 0.999;
-    if (std::max({std::abs(turned.x), std::abs(turned.y), std::abs(turned.z)}) > kHalfTurn &&
-        !round)
-      turned = {};
-    constexpr double kRounded = 1e-3;  // 1.57 is a right angle
-    const auto size = [](double x) { return std::abs(x) < kRounded ? 0 : std::abs(x); };
-    fields_.push_back({.part = part,
-                       .name = "rotation",
-                       .kind = FieldKind::kRotation,
-                       .values = {size(turned.x), size(turned.y), size(turned.z)},
-                       .span = place_of(pose, context_),
-                       .pose = &pose});
-  }
-
   void add_limits(const model::Axis& axis) {
     std::pair<double, double> both{axis.lower.value, axis.upper.value};
     both = std::max(both, {-axis.upper.value, -axis.lower.value});
@@ -189,7 +153,6 @@ class SiblingLister {
   void add_shape(std::string_view part, const model::PoseField& pose,
                  const model::Geometry& geometry) {
     add_origin("origin", pose, part);
-    add_rotation(part, pose, geometry.shape);
     const auto add_round = [&](const auto& shape) {
       add_number("radius", "m", shape.radius, FieldKind::kSize, part);
       add_number("length", "m", shape.length, FieldKind::kSize, part);
@@ -213,10 +176,7 @@ inline bool same_field(const SiblingField& a, const SiblingField& b) {
   for (std::size_t k = 0; k < a.values.size(); ++k) {
     if (std::isinf(a.values[k]) && a.values[k] == b.values[k]) continue;
     // Signs that differ are of limits: all else has none.
-    if (a.values[k] * b.values[k] < 0) return false;
-    constexpr double kRounded = 2e-3;
-    if (a.kind == FieldKind::kRotation && std::abs(a.values[k] - b.values[k]) < kRounded) continue;
-    if (!same_size(a.values[k], b.values[k])) return false;
+    if (a.values[k] * b.values[k] < 0 || !same_size(a.values[k], b.values[k])) return false;
   }
   return true;
 }

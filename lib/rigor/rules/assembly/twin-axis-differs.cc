@@ -97,13 +97,12 @@ void check(const model::Root& root, Context& context) {
   const auto good = static_cast<std::size_t>(std::count_if(
       pairs.begin(), pairs.end(), [](const AxisPair& one) { return one.likeness > kAlong; }));
   for (const AxisPair& one : pairs) {
-    // Of wheels the rotation of what carries the axis may be wrong.
-    const bool alike = written_alike(root.joints[one.joints.a], root.joints[one.joints.b]);
-    if (one.likeness > kAcross || (alike && !one.wheels)) continue;
+    if (one.likeness > kAcross ||
+        written_alike(root.joints[one.joints.a], root.joints[one.joints.b]))
+      continue;
     // An arm that is turned on its side has no joint like its twin's.
-    constexpr std::size_t kShare = 3, kShareOfInfo = 2;
-    if (!one.wheels && good < kShareOfInfo * (pairs.size() - good)) continue;
-    const bool few = !one.wheels && good < kShare * (pairs.size() - good);
+    constexpr std::size_t kShare = 3;
+    if (!one.wheels && good < kShare * (pairs.size() - good)) continue;
     const bool first = first_is_wrong(one.joints, context);
     const model::Joint& wrong = root.joints[first ? one.joints.a : one.joints.b];
     const model::Joint& right = root.joints[first ? one.joints.b : one.joints.a];
@@ -113,11 +112,7 @@ void check(const model::Root& root, Context& context) {
                                            std::acos(one.likeness) * 180 / 3.14159265358979323846,
                                            right.name.value),
                     .subject = context.subject(wrong),
-                    .related = {{right.axes.front().xyz.span, "its twin's axis"}},
-                    .help = alike ? "the axes are written alike: the rotation of what carries one "
-                                    "of them is another"
-                                  : "",
-                    .severity = few ? std::optional(Severity::kInfo) : std::nullopt});
+                    .related = {{right.axes.front().xyz.span, "its twin's axis"}}});
   }
 }
 
@@ -129,8 +124,7 @@ Rule rule() {
       .why = "One wheel tumbles while the other rolls; one leg swings sideways while the other "
              "steps. The axes of two joints whose names say left and right are neither parallel "
              "nor mirror images, with all joints at zero. The finding is at the one that does not "
-             "fit its wheel's shape, or its twin in front or behind. With only two other pairs "
-             "that match for each that does not, it is an info.",
+             "fit its wheel's shape, or its twin in front or behind.",
       .what_to_do = "Write the axis in the joint's own frame, as that of the other side; `rigor "
                     "inspect` prints both in one frame.",
       .checks = {on<model::Root>(check)},

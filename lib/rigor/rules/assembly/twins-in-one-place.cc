@@ -20,9 +20,6 @@ using model::Vector3;
 // Parts that are nearer than this, as a share of what they are long, are in each other.
 constexpr double kSamePlace = 0.02;
 
-// Share of its length that a pair is to the side: no mechanism of a gripper is.
-constexpr double kFarAside = 0.25;
-
 /// Where two links are placed, when both are placed from the same frame.
 struct Placed {
   const model::PoseField* a = nullptr;
@@ -63,27 +60,9 @@ bool frames_in_one_place(const robot::Twins& pair, Context& context) {
   const model::Joint& joint = context.root()[a.carrier];
   if (std::abs(joint.pose.pose.value.translation.y) < kAside && context.is_urdf()) return false;
   if (joint.type == model::JointType::kPrismatic) return false;
-  if (joint.type == model::JointType::kFixed) return true;
   const auto axis_a = context.frames().axis(a.carrier, 0);
   const auto axis_b = context.frames().axis(b.carrier, 0);
   return !axis_a || !axis_b || dot(*axis_a, *axis_b) > 0;
-}
-
-/// Two bodies whose origins are one point to the side: those without any shape, as between a suspension and its
-/// wheel, and those that are turned against each other. Fingers close in one place.
-bool bodies_in_one_place(const robot::Twins& pair, const Placed& placed, Context& context) {
-  const model::Root& root = context.root();
-  const Vector3& at = placed.a->pose.value.translation;
-  const auto is_body = [&](std::uint32_t i) { return root.links[i].inertial.mass.value > 0; };
-  if (!is_body(pair.a) || !is_body(pair.b) || at != placed.b->pose.value.translation) return false;
-  const robot::Assembled& robot = context.assembled();
-  const auto carrier = robot.links[pair.a].carrier;
-  if (carrier && root[carrier].type == model::JointType::kPrismatic) return false;
-  if (robot.links[pair.a].shapes.empty() && robot.links[pair.b].shapes.empty())
-    return robot.links[pair.a].complete() && robot.links[pair.b].complete();
-  // Other pairs are to both sides as far as this one is to one.
-  const double size = robot.longest({pair.a, pair.b});
-  return std::abs(at.y) > kFarAside * size;
 }
 
 /// y, to the left in ROS and SDF. Fingers that move along another axis may begin in one place.
@@ -117,9 +96,7 @@ void check(const model::Root& root, Context& context) {
   for (const robot::Twins& pair : context.assembled().link_twins) {
     const auto placed = placed_alike(pair, context);
     if (!placed || !placed->a->pose.written || !placed->b->pose.written) continue;
-    if (!in_one_place(pair, context.assembled()) && !frames_in_one_place(pair, context) &&
-        !bodies_in_one_place(pair, *placed, context))
-      continue;
+    if (!in_one_place(pair, context.assembled()) && !frames_in_one_place(pair, context)) continue;
     if (placed->b->pose.value.translation.y != 0) report(pair, *placed, context);
   }
 }

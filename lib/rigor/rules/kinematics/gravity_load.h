@@ -33,9 +33,13 @@ class GravityLoads {
     for (std::uint32_t i = 0; i < context.root().joints.size(); ++i) {
       const auto& ends = context.frames().ends({i});
       if (!ends.parent || !ends.child) continue;
-      // Which of two joints bears a link is not known.
-      if (parent[ends.child.value] != kNone) behind_[ends.child.value].known = false;
-      parent[ends.child.value] = ends.parent.value;
+      std::uint32_t& carrier = parent[ends.child.value];
+      if (carrier != kNone) {
+        // Which of two joints bears a link is not known.
+        behind_[ends.child.value].known = false;
+        behind_[carrier].known = false;
+      }
+      carrier = ends.parent.value;
     }
     for (const std::uint32_t of : parent) {
       if (of != kNone) ++open[of];

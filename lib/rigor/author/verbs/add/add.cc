@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/verbs/add.h>
+#include <rigor/author/verbs/add/add.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 
 #include <fmt/core.h>
 
-#include <rigor/author/verbs/add_template.h>
+#include <rigor/author/verbs/add/add_template.h>
+#include <rigor/author/verbs/add/wheel_layout.h>
 #include <rigor/author/verbs/block.h>
 #include <rigor/author/verbs/draft.h>
-#include <rigor/author/verbs/wheel_layout.h>
 #include <rigor/rules/world/sensor_systems.h>
 #include <rigor/schema/value.h>
 #include <rigor/xml/edit.h>

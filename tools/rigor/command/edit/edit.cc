@@ -4,7 +4,7 @@
 // `rigor edit VERB …`: changes that a model's author asks for, as byte edits, with their proof. `rename` is here, the
 // other verbs are in edit_verbs.cc.
 
-#include "command/edit.h"
+#include "command/edit/edit.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,8 +31,8 @@
 #include <rigor/text/path.h>
 
 #include "command/command.h"
-#include "command/edit_version.h"
-#include "command/edit_workspace.h"
+#include "command/edit/edit_version.h"
+#include "command/edit/edit_workspace.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
 #include "output/output.h"

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/verbs/wheel_layout.h>
+#include <rigor/author/verbs/add/wheel_layout.h>
 
 #include <algorithm>
 #include <cmath>

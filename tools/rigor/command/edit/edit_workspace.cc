@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "command/edit_workspace.h"
+#include "command/edit/edit_workspace.h"
 
 #include <filesystem>
 #include <system_error>

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include <rigor/author/verbs/add.h>
+#include <rigor/author/verbs/add/add.h>
 #include <rigor/author/verbs/attach.h>
 #include <rigor/author/verbs/attach_macro.h>
 #include <rigor/author/verbs/lump.h>
@@ -26,7 +26,7 @@
 #include <rigor/read/template/template_expander.h>
 
 #include "command/command.h"
-#include "command/edit.h"
+#include "command/edit/edit.h"
 #include "option/numbers.h"
 #include "option/search.h"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "command/edit_version.h"
+#include "command/edit/edit_version.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/verbs/add_template.h>
+#include <rigor/author/verbs/add/add_template.h>
 
 #include <algorithm>
 #include <cstddef>
