@@ -13,35 +13,13 @@
 #include <rigor/mesh/primitive/primitive_mesh.h>
 #include <rigor/mesh/spatial/distance.h>
 
+#include "support/meshes.h"
+
 namespace rigor::mesh {
 namespace {
 
 TriangleMesh shifted_by(TriangleMesh mesh, const Vector3& by) {
   for (Vector3& p : mesh.positions) p = p + by;
-  return mesh;
-}
-
-/// A ball of 8 by 16 facets, within 2 % of its radius from a sphere's surface but for the poles.
-TriangleMesh coarse_ball(double radius) {
-  TriangleMesh mesh;
-  constexpr std::uint32_t kRows = 8, kColumns = 16;
-  for (std::uint32_t i = 0; i <= kRows; ++i) {
-    for (std::uint32_t j = 0; j < kColumns; ++j) {
-      const double around = 2 * M_PI * j / kColumns,
-                   across = i % kRows == 0 ? 0 : std::sin(M_PI * i / kRows);
-      mesh.positions.push_back({radius * across * std::cos(around),
-                                radius * across * std::sin(around),
-                                radius * std::cos(M_PI * i / kRows)});
-    }
-  }
-  for (std::uint32_t i = 0; i < kRows; ++i) {
-    for (std::uint32_t j = 0; j < kColumns; ++j) {
-      const std::uint32_t k = (j + 1) % kColumns;
-      const std::uint32_t a = i * kColumns, b = a + kColumns;
-      if (i + 1 < kRows) mesh.triangles.push_back({a + j, b + j, b + k});
-      if (i > 0) mesh.triangles.push_back({a + j, b + k, a + k});
-    }
-  }
   return mesh;
 }
 
@@ -72,7 +50,7 @@ TriangleMesh upright_prism(const std::vector<Vector3>& outline, double height) {
 
 TEST(Substitute, ABallIsASphere) {
   const auto found =
-      find_substitute(coarse_ball(0.2), {.max_error = 0.02, .capsules = Capsules::kRefused});
+      find_substitute(test::faceted_ball(0.2), {.max_error = 0.02, .capsules = Capsules::kRefused});
   ASSERT_TRUE(found && found->primitive);
   const auto* sphere = std::get_if<Sphere>(&found->primitive->shape);
   ASSERT_NE(sphere, nullptr);
@@ -94,7 +72,7 @@ TEST(Substitute, ABoxIsABoxWithoutError) {
 }
 
 TEST(Substitute, CapsulesCanBeRefused) {
-  TriangleMesh capsule = coarse_ball(0.1);
+  TriangleMesh capsule = test::faceted_ball(0.1);
   for (Vector3& p : capsule.positions) p.z += p.z > 1e-9 ? 0.25 : p.z < -1e-9 ? -0.25 : 0;
   const auto found = find_substitute(capsule, {.max_error = 0.01});
   ASSERT_TRUE(found && found->primitive);
@@ -105,7 +83,7 @@ TEST(Substitute, CapsulesCanBeRefused) {
 
 /// A half of a ball is no primitive, but convex.
 TEST(Substitute, AConvexBodyIsItsHull) {
-  TriangleMesh half = coarse_ball(0.2);
+  TriangleMesh half = test::faceted_ball(0.2);
   for (Vector3& p : half.positions) p.z = std::max(p.z, 0.0);
   const auto found = find_substitute(half, {.max_error = 0.004});
   ASSERT_TRUE(found);
@@ -143,7 +121,7 @@ TEST(Substitute, AnAngleIsTwoPieces) {
 }
 
 TEST(Substitute, ABoundThatNothingKeepsGivesNothing) {
-  const TriangleMesh ball = coarse_ball(0.2);
+  const TriangleMesh ball = test::faceted_ball(0.2);
   EXPECT_FALSE(find_substitute(ball, {.max_error = 1e-9}));
   EXPECT_FALSE(find_substitute(ball, {.max_error = 0}));
   EXPECT_FALSE(find_substitute({}, {.max_error = 1}));

@@ -56,6 +56,30 @@ inline TriangleMesh torus_mesh(double big, double small, unsigned n, unsigned m)
   return mesh;
 }
 
+/// A ball of 8 by 16 facets, within 2 % of its radius from a sphere but for the poles.
+inline TriangleMesh faceted_ball(double radius) {
+  TriangleMesh mesh;
+  constexpr std::uint32_t kRows = 8, kColumns = 16;
+  for (std::uint32_t i = 0; i <= kRows; ++i) {
+    for (std::uint32_t j = 0; j < kColumns; ++j) {
+      const double around = 2 * M_PI * j / kColumns,
+                   across = i % kRows == 0 ? 0 : std::sin(M_PI * i / kRows);
+      mesh.positions.push_back({radius * across * std::cos(around),
+                                radius * across * std::sin(around),
+                                radius * std::cos(M_PI * i / kRows)});
+    }
+  }
+  for (std::uint32_t i = 0; i < kRows; ++i) {
+    for (std::uint32_t j = 0; j < kColumns; ++j) {
+      const std::uint32_t k = (j + 1) % kColumns;
+      const std::uint32_t a = i * kColumns, b = a + kColumns;
+      if (i + 1 < kRows) mesh.triangles.push_back({a + j, b + j, b + k});
+      if (i > 0) mesh.triangles.push_back({a + j, b + k, a + k});
+    }
+  }
+  return mesh;
+}
+
 inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
   const auto shift = static_cast<std::uint32_t>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());

@@ -17,6 +17,7 @@
 #include <rigor/mesh/write/write.h>
 
 #include "author/verbs/verb_bench.h"
+#include "support/meshes.h"
 
 namespace rigor::author {
 namespace {
@@ -26,33 +27,9 @@ mesh::TriangleMesh moved_ball(mesh::TriangleMesh mesh, const mesh::Vector3& by) 
   return mesh;
 }
 
-/// Of 8 by 16 facets.
-mesh::TriangleMesh faceted_ball(double radius) {
-  mesh::TriangleMesh mesh;
-  constexpr std::uint32_t kRows = 8, kColumns = 16;
-  for (std::uint32_t i = 0; i <= kRows; ++i) {
-    for (std::uint32_t j = 0; j < kColumns; ++j) {
-      const double around = 2 * M_PI * j / kColumns,
-                   across = i % kRows == 0 ? 0 : std::sin(M_PI * i / kRows);
-      mesh.positions.push_back({radius * across * std::cos(around),
-                                radius * across * std::sin(around),
-                                radius * std::cos(M_PI * i / kRows)});
-    }
-  }
-  for (std::uint32_t i = 0; i < kRows; ++i) {
-    for (std::uint32_t j = 0; j < kColumns; ++j) {
-      const std::uint32_t k = (j + 1) % kColumns;
-      const std::uint32_t a = i * kColumns, b = a + kColumns;
-      if (i + 1 < kRows) mesh.triangles.push_back({a + j, b + j, b + k});
-      if (i > 0) mesh.triangles.push_back({a + j, b + k, a + k});
-    }
-  }
-  return mesh;
-}
-
-std::string ball_stl() { return mesh::write_stl(moved_ball(faceted_ball(100), {0, 0, 500})); }
+std::string ball_stl() { return mesh::write_stl(moved_ball(test::faceted_ball(100), {0, 0, 500})); }
 std::string half_ball_stl() {
-  mesh::TriangleMesh half = faceted_ball(1);
+  mesh::TriangleMesh half = test::faceted_ball(1);
   for (mesh::Vector3& p : half.positions) p.z = std::max(p.z, 0.0);
   return mesh::write_stl(half);
 }
