@@ -35,6 +35,19 @@ TEST(FirstUse, HelpIsACommand) {
   EXPECT_NE(unknown.err.find("did you mean \"validate\"?"), std::string::npos) << unknown.err;
 }
 
+/// git writes `.git/info/exclude` into every clone, above the folder that is named.
+TEST(FirstUse, AClonesOwnPatternsAreHonored) {
+  const Folder folder;
+  folder.put(".git/info/exclude", "scratch.sdf\n");
+  folder.put("bot/bot.sdf", kOneLink);
+  folder.put("bot/scratch.sdf", "<sdf version='1.9'><model/></sdf>\n");
+  const Ran ran = folder.rigor("validate bot --fail-on never");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_EQ((ran.out + ran.err).find("info/exclude: lies outside"), std::string::npos)
+      << ran.out << ran.err;
+  EXPECT_EQ(ran.out.find("scratch.sdf:"), std::string::npos) << ran.out;
+}
+
 /// Each command that takes a model, given a folder that holds one and no model.config.
 TEST(FirstUse, AFolderWithOneModelIsThatModel) {
   const Folder folder;

@@ -23,6 +23,9 @@ constexpr std::string_view kReadAnywhere[] = {
 /// What is looked for in the folders above a model.
 constexpr std::string_view kManifests[] = {".gitignore", "rigor.toml"};
 
+/// Patterns of who works in the repository, which git writes into every clone.
+constexpr std::string_view kOwnPatterns = "/.git/info/exclude";
+
 template <std::size_t N>
 bool is_one_of(const std::string_view (&list)[N], std::string_view name) {
   return std::find(std::begin(list), std::end(list), name) != std::end(list);
@@ -42,7 +45,8 @@ std::string GuardedDisk::refusal(const std::string& path) const {
   if (reach_.holds(path)) return {};
   // A link has the name that a repository gave it.
   const std::string real = real_path_of(path);
-  if (is_one_of(kReadAnywhere, extension(real)) || is_one_of(kManifests, file_name(real)))
+  if (is_one_of(kReadAnywhere, extension(real)) || is_one_of(kManifests, file_name(real)) ||
+      real.ends_with(kOwnPatterns))
     return {};
   return "lies outside of what was named, and is not read: --model-path DIR names its folder";
 }
