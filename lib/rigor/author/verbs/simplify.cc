@@ -136,7 +136,8 @@ class Simplifier {
       if (part.found) rewrite(part);
     }
     if (std::none_of(parts_.begin(), parts_.end(), [](const auto& p) { return p.found; })) {
-      return refusal("no simpler shape keeps within the bound: " + notes_.front());
+      return refusal(fmt::format("none of {} collisions gets a simpler shape: {}", parts_.size(),
+                                 note(parts_.front())));
     }
     say_masses();
     change.steps = draft_.take();
