@@ -175,12 +175,14 @@ void expect_agreement(const std::vector<SuiteRow>& rows, double least) {
   std::string others;
   for (const auto& [row, outcome] : rows) {
     const auto& pair = outcome.comparison;
-    // Refused before any engine, or compared.
-    const bool agrees =
-        pair ? fails_in(pair->ode) == fails_in(pair->mujoco) : outcome.verdict == Verdict::kInvalid;
+    if (!pair) {  // refused before any engine
+      EXPECT_EQ(outcome.verdict, Verdict::kInvalid) << row.file;
+      continue;
+    }
+    const bool agrees = fails_in(pair->ode) == fails_in(pair->mujoco);
     ++all;
     same += agrees ? 1U : 0U;
-    if (!pair || (agrees && pair->differences.empty())) continue;
+    if (agrees && pair->differences.empty()) continue;
     others += row.file + " " + row.test + ": " + std::string(simulate::to_string(pair->ode)) +
               " in ODE, " + std::string(simulate::to_string(pair->mujoco)) + " in MuJoCo (" +
               row.what + ")\n";
