@@ -15,6 +15,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/convert/from_mjcf.h>
@@ -104,5 +105,20 @@ Account close_mjcf_account(Ledger ledger);
 /// The robot that the result should be, its loops aside: what was chosen, without what the target has no
 /// place for.
 robot::Robot expected_robot(const MjcfPlan& plan);
+
+/// `Builder` makes the model of a target: `Builder(plan, ledger, result).build()`.
+template <class Builder>
+FromMjcfConversion converted_from_mjcf(const MjcfPlan& plan) {
+  FromMjcfConversion result;
+  result.model = {0};
+  result.account.notes = plan.refusals;
+  if (!plan.refusals.empty()) return result;
+  Ledger ledger(plan.source.source.documents);
+  take_mjcf_source(plan, ledger);
+  Builder(plan, ledger, result).build();
+  result.robot = expected_robot(plan);
+  result.account = close_mjcf_account(std::move(ledger));
+  return result;
+}
 
 }  // namespace rigor::convert

@@ -27,14 +27,6 @@ using robot::kNoIndex;
 constexpr const char* kEndlessLower = "-1e16";
 constexpr const char* kEndlessUpper = "1e16";
 
-UrdfInertial inertial_of_body(const mass::MassProperties& body) {
-  const mass::Inertia& I = body.about_com;
-  return {origin_of({body.com, {}}),
-          {body.mass, {}},
-          {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}}, Number{I.iyy, {}},
-           Number{I.iyz, {}}, Number{I.izz, {}}}};
-}
-
 SdfElement text_element(const std::string& name, std::string text) {
   return {.name = name, .text = std::move(text)};
 }
@@ -143,12 +135,12 @@ class MjcfToSdf {
     const mass::MassProperties body =
         mass::resolve(root_, plan_.source.source.frames, {i}, plan_.source.lookups.find_mesh).body;
     if (body.mass > 0) {
-      link.inertial = inertial_of_body(body);
+      link.inertial = inertial_of(body);
     } else {
       link.inertial = next_to_nothing(draft_);
       if (body.about_com != mass::Inertia{}) {
         const Number mass = link.inertial->mass;
-        link.inertial = inertial_of_body(body);
+        link.inertial = inertial_of(body);
         link.inertial->mass = mass;
       }
       note(NoteKind::kFromMjcfMassless, Outcome::kSubstituted, plan_.link(i).site.name,
@@ -197,13 +189,15 @@ class MjcfToSdf {
     std::array<Number, 4> color;
     for (std::size_t i = 0; i < color.size(); ++i) color[i].value = rgba[i];
     SdfElement material{.name = "material"};
-    material.at("ambient").text = material.at("diffuse").text = number_texts(color);
+    material.set("ambient", number_texts(color));
+    material.set("diffuse", number_texts(color));
     return material;
   }
 
   static SdfElement surface(double mu) {
     SdfElement element{.name = "surface"};
-    element.at("friction/ode/mu").text = element.at("friction/ode/mu2").text = to_text({mu, {}});
+    element.set("friction/ode/mu", to_text({mu, {}}));
+    element.set("friction/ode/mu2", to_text({mu, {}}));
     return element;
   }
 
@@ -265,19 +259,19 @@ class MjcfToSdf {
     const auto bound = [](double value, const char* none) {
       return std::isfinite(value) ? to_text({value, {}}) : std::string(none);
     };
-    limit.at("lower").text = bound(axis.lower, kEndlessLower);
-    limit.at("upper").text = bound(axis.upper, kEndlessUpper);
-    if (std::isfinite(axis.effort)) limit.at("effort").text = to_text({axis.effort, {}});
+    limit.set("lower", bound(axis.lower, kEndlessLower));
+    limit.set("upper", bound(axis.upper, kEndlessUpper));
+    if (std::isfinite(axis.effort)) limit.set("effort", to_text({axis.effort, {}}));
     result.rest.push_back(std::move(limit));
     SdfElement dynamics{.name = "dynamics"};
     const auto add = [&dynamics](const char* name, double value) {
-      if (value != 0) dynamics.at(name).text = to_text({value, {}});
+      if (value != 0) dynamics.set(name, to_text({value, {}}));
     };
     add("damping", axis.damping);
     add("friction", axis.friction);
     if (axis.spring_stiffness != 0) {
-      dynamics.at("spring_reference").text = to_text({axis.spring_reference, {}});
-      dynamics.at("spring_stiffness").text = to_text({axis.spring_stiffness, {}});
+      dynamics.set("spring_reference", to_text({axis.spring_reference, {}}));
+      dynamics.set("spring_stiffness", to_text({axis.spring_stiffness, {}}));
     }
     if (!dynamics.children.empty()) result.rest.push_back(std::move(dynamics));
     if (!axis.follow) return result;
@@ -335,17 +329,7 @@ class MjcfToSdf {
 }  // namespace
 
 FromMjcfConversion mjcf_to_sdf(const FromMjcfSource& source, const FromMjcfOptions& options) {
-  FromMjcfConversion result;
-  result.model = {0};
-  const MjcfPlan plan(source, options, MjcfTarget::kSdf);
-  result.account.notes = plan.refusals;
-  if (!plan.refusals.empty()) return result;
-  Ledger ledger(source.source.documents);
-  take_mjcf_source(plan, ledger);
-  MjcfToSdf(plan, ledger, result).build();
-  result.robot = expected_robot(plan);
-  result.account = close_mjcf_account(std::move(ledger));
-  return result;
+  return converted_from_mjcf<MjcfToSdf>(MjcfPlan(source, options, MjcfTarget::kSdf));
 }
 
 }  // namespace rigor::convert

@@ -118,7 +118,7 @@ struct MjcfShapeMaker {
   std::vector<MjcfShape> operator()(const model::Ellipsoid& s) const {
     if (!urdf()) {
       SdfElement element{.name = "ellipsoid"};
-      element.at("radii").text = number_texts(numbers(s.radii.value));
+      element.set("radii", number_texts(numbers(s.radii.value)));
       return {{{}, std::move(element)}};
     }
     if (!shaper.writes()) return {};
@@ -138,8 +138,8 @@ struct MjcfShapeMaker {
       if ((*size)[1] > 0) y = 2 * (*size)[1];
     }
     SdfElement plane{.name = "plane"};
-    plane.at("normal").text = "0 0 1";
-    plane.at("size").text = to_text({x, {}}) + ' ' + to_text({y, {}});
+    plane.set("normal", "0 0 1");
+    plane.set("size", to_text({x, {}}) + ' ' + to_text({y, {}}));
     return {{{}, std::move(plane)}};
   }
   std::vector<MjcfShape> operator()(const model::Mesh& s) const {

@@ -23,11 +23,6 @@ using model::JointType;
 using model::Pose;
 using robot::kNoIndex;
 
-std::array<Number, 6> tensor_entries(const mass::Inertia& I) {
-  return {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}},
-          Number{I.iyy, {}}, Number{I.iyz, {}}, Number{I.izz, {}}};
-}
-
 class MjcfToUrdf {
  public:
   MjcfToUrdf(const MjcfPlan& plan, Ledger& ledger, FromMjcfConversion& result)
@@ -101,11 +96,7 @@ class MjcfToUrdf {
     draft_.link_names[Id<model::Link>{i}] = name_of(i);
     result_.links.emplace(body.name, name_of(i));
     UrdfLink link{.name = name_of(i)};
-    if (body.mass != mass::MassProperties{}) {
-      link.inertial = UrdfInertial{origin_of({body.mass.com, {}}),
-                                   {body.mass.mass, {}},
-                                   tensor_entries(body.mass.about_com)};
-    }
+    if (body.mass != mass::MassProperties{}) link.inertial = inertial_of(body.mass);
     add_shapes(link, i);
     draft_.robot.links.push_back(std::move(link));
   }
@@ -336,17 +327,7 @@ class MjcfToUrdf {
 }  // namespace
 
 FromMjcfConversion mjcf_to_urdf(const FromMjcfSource& source, const FromMjcfOptions& options) {
-  FromMjcfConversion result;
-  result.model = {0};
-  MjcfPlan plan(source, options, MjcfTarget::kUrdf);
-  result.account.notes = plan.refusals;
-  if (!plan.refusals.empty()) return result;
-  Ledger ledger(source.source.documents);
-  take_mjcf_source(plan, ledger);
-  MjcfToUrdf(plan, ledger, result).build();
-  result.robot = expected_robot(plan);
-  result.account = close_mjcf_account(std::move(ledger));
-  return result;
+  return converted_from_mjcf<MjcfToUrdf>(MjcfPlan(source, options, MjcfTarget::kUrdf));
 }
 
 }  // namespace rigor::convert

@@ -76,7 +76,7 @@ bool is_among(const Names& names, std::string_view name) {
 /// Sets what stands at a path whose first step is one of the elements.
 void set_at(std::vector<SdfElement>& elements, std::string_view path, std::string_view text) {
   SdfElement all{.name = {}, .text = {}, .children = std::move(elements)};
-  all.at(path).text = text;
+  all.set(path, std::string(text));
   elements = std::move(all.children);
 }
 

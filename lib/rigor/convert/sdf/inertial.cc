@@ -82,15 +82,6 @@ UrdfInertial as_written(const SdfDraft& draft, const model::Inertial& inertial) 
   return result;
 }
 
-std::array<Number, 6> numbers_of(const mass::Inertia& I) {
-  return {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}},
-          Number{I.iyy, {}}, Number{I.iyz, {}}, Number{I.izz, {}}};
-}
-
-UrdfInertial summed(const mass::MassProperties& sum) {
-  return {origin_of({sum.com, {}}), {sum.mass, {}}, numbers_of(sum.about_com)};
-}
-
 /// With six digits, as many as a number has that somebody measured.
 Number six_digits(double value) {
   if (value == 0) return {};
@@ -132,7 +123,7 @@ void make_possible(const SdfDraft& draft, const Link& link, UrdfInertial& inerti
   if (mass::judge(inertial.mass.value, tensor).possible()) return;
   const auto nearest = mass::nearest_possible(tensor);
   if (!nearest) return;
-  inertial.inertia = numbers_of(*nearest);
+  inertial.inertia = tensor_entries(*nearest);
   for (Number& number : inertial.inertia) number = six_digits(number.value);
   const bool own = link.inertial.tensor_written;
   draft.ledger.note({.kind = NoteKind::kInertiaNearest,
@@ -187,7 +178,7 @@ std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, Id<Link> id) {
     sum = mass::add(sum,
                     mass::transformed(pose_in_holder(draft, link), body_of(root[link].inertial)));
   }
-  UrdfInertial inertial = summed(sum);
+  UrdfInertial inertial = inertial_of(sum);
   make_possible(draft, root[id], inertial);
   return inertial;
 }

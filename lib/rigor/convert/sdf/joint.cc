@@ -163,8 +163,8 @@ class SdfJointConverter {
       }
       joint.axis = SdfAxis{.xyz = numbers(axes[i].direction)};
       SdfElement limit{.name = "limit"};
-      limit.at("lower").text = kNoLowerLimit;
-      limit.at("upper").text = kNoUpperLimit;
+      limit.set("lower", kNoLowerLimit);
+      limit.set("upper", kNoUpperLimit);
       joint.axis->rest.push_back(std::move(limit));
       if (last) {
         parts.emplace_back(std::move(joint));
@@ -225,14 +225,14 @@ class SdfJointConverter {
                                 (bound == &axis.lower ? "lower" : "upper") +
                                     std::string(" limit of a continuous joint"));
       }
-      limit.at("lower").text = kNoLowerLimit;
-      limit.at("upper").text = kNoUpperLimit;
+      limit.set("lower", kNoLowerLimit);
+      limit.set("upper", kNoUpperLimit);
     } else {
-      limit.at("lower").text = digits(axis.lower);
-      limit.at("upper").text = digits(axis.upper);
+      limit.set("lower", digits(axis.lower));
+      limit.set("upper", digits(axis.upper));
       if (axis.lower.value > axis.upper.value) {
         note(NoteKind::kLimitInverted, Outcome::kConverted, axis.limit_site.name,
-             limit.at("lower").text + " > " + limit.at("upper").text, {});
+             digits(axis.lower) + " > " + digits(axis.upper), {});
       }
     }
     add_ceiling(limit, "effort", axis.effort, NoteKind::kEffortStandIn);
@@ -245,7 +245,7 @@ class SdfJointConverter {
                    NoteKind kind) {
     if (!field.written) return;
     if (std::isfinite(field.value)) {
-      limit.at(name).text = digits(field);
+      limit.set(name, digits(field));
       return;
     }
     ledger_.take(field, Outcome::kRewritten);
@@ -254,8 +254,8 @@ class SdfJointConverter {
 
   void add_dynamics(SdfAxis& result, const model::Axis& axis) {
     SdfElement dynamics{.name = "dynamics"};
-    if (axis.damping.written) dynamics.at("damping").text = digits(axis.damping);
-    if (axis.friction.written) dynamics.at("friction").text = digits(axis.friction);
+    if (axis.damping.written) dynamics.set("damping", digits(axis.damping));
+    if (axis.friction.written) dynamics.set("friction", digits(axis.friction));
     const xml::Element joint = draft_.source.documents.element(joint_.site);
     if (const auto element = joint.child("dynamics")) ledger_.take(*element);
     if (!dynamics.children.empty()) result.rest.push_back(std::move(dynamics));

@@ -250,8 +250,8 @@ class SdfLinkConverter {
     ledger_.take_all(*color);
     const std::string text = color_digits(rgba->text, std::get<schema::PoseNumbers>(parsed));
     SdfElement look{.name = "material"};
-    look.at("ambient").text = text;
-    look.at("diffuse").text = text;
+    look.set("ambient", text);
+    look.set("diffuse", text);
     shape.rest.push_back(std::move(look));
   }
 

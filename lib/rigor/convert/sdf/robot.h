@@ -29,8 +29,8 @@ struct SdfElement {
   std::vector<SdfElement> children = {};
   std::vector<std::pair<std::string, std::string>> attributes = {};
 
-  /// What stands at "surface/friction/ode/mu" in it; made where it is missing.
-  SdfElement& at(std::string_view path);
+  /// The text of what stands at `path` ("surface/friction/ode/mu") in it; made where it is missing.
+  void set(std::string_view path, std::string value);
 };
 
 struct SdfPose {

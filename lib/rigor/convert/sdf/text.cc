@@ -200,7 +200,7 @@ class SdfWriter {
 
 }  // namespace
 
-SdfElement& SdfElement::at(std::string_view path) {
+void SdfElement::set(std::string_view path, std::string value) {
   SdfElement* element = this;
   while (!path.empty()) {
     const std::string_view step = path.substr(0, path.find('/'));
@@ -211,7 +211,7 @@ SdfElement& SdfElement::at(std::string_view path) {
     if (found == inside.end()) found = inside.insert(inside.end(), {.name = std::string(step)});
     element = &*found;
   }
-  return *element;
+  element->text = std::move(value);
 }
 
 std::string sdf_text(const SdfRobot& robot) { return SdfWriter().write(robot); }

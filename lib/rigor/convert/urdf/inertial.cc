@@ -17,11 +17,6 @@
 namespace rigor::convert {
 namespace {
 
-std::array<Number, 6> computed_tensor(const mass::Inertia& I) {
-  return {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}},
-          Number{I.iyy, {}}, Number{I.iyz, {}}, Number{I.izz, {}}};
-}
-
 /// kg. libsdformat takes less for 0 where it reads URDF: `equal(mass, 0.0)` of its mathematics library.
 constexpr double kMinMassInGazebo = 1e-6;
 
@@ -151,7 +146,7 @@ class InertialConverter {
       result.inertia[n] = written_number(documents, *entries[n]);
     }
     if (taken_.taken == mass::Taken::kIdentity) {
-      result.inertia = computed_tensor({1, 0, 0, 1, 0, 1});
+      result.inertia = tensor_entries({1, 0, 0, 1, 0, 1});
     }
     return result;
   }
@@ -161,7 +156,7 @@ class InertialConverter {
     const mass::MassProperties& body = taken_.body;
     return {.origin = origin_of(compose(X_JL_, {body.com, {}})),
             .mass = {body.mass, {}},
-            .inertia = computed_tensor(body.about_com)};
+            .inertia = tensor_entries(body.about_com)};
   }
 
   UrdfDraft& draft_;

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string_view>
 
+#include <rigor/mass/mass_properties.h>
 #include <rigor/schema/value.h>
 
 namespace rigor::convert {
@@ -123,6 +124,15 @@ Number3 numbers(const Vector3& v) {
 
 UrdfOrigin origin_of(const Pose& X) {
   return {as_numbers(rounded_translation(X.translation)), as_numbers(rpy_of(X.rotation))};
+}
+
+std::array<Number, 6> tensor_entries(const mass::Inertia& I) {
+  return {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}},
+          Number{I.iyy, {}}, Number{I.iyz, {}}, Number{I.izz, {}}};
+}
+
+UrdfInertial inertial_of(const mass::MassProperties& body) {
+  return {origin_of({body.com, {}}), {body.mass, {}}, tensor_entries(body.about_com)};
 }
 
 bool is_identity(const UrdfOrigin& origin) {

@@ -21,6 +21,11 @@
 #include <rigor/convert/remark.h>
 #include <rigor/model/pose.h>
 
+namespace rigor::mass {
+struct Inertia;
+struct MassProperties;
+}  // namespace rigor::mass
+
 namespace rigor::convert {
 
 /// A number and how it is written: the author's own text, or the shortest that reads back the same.
@@ -51,6 +56,10 @@ struct UrdfInertial {
   std::array<Number, 6> inertia;  ///< ixx ixy ixz iyy iyz izz, kg·m²
   Remarks comments = {};
 };
+
+std::array<Number, 6> tensor_entries(const mass::Inertia& I);
+/// Of a body whose center of mass frame has its own axes.
+UrdfInertial inertial_of(const mass::MassProperties& body);
 
 struct UrdfBox {
   Number3 size;
