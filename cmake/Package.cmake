@@ -54,14 +54,17 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Opened when a Collada, glTF or PLY mesh is first read, so that no dependency shows.
 string(REPLACE ".so." "" rigor_assimp_package "${RIGOR_ASSIMP_SONAME}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
+# Opened by `simulate --engine mujoco`.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libmujoco2.2.2)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-"rigor tells what is wrong with a robot model (SDFormat, URDF) before a
-simulator loads it: XML, schema, names, references, frames, inertia, joints,
-shapes, meshes and packages, each finding with its place and what to do.
+"rigor tells what is wrong with a robot model (SDFormat, URDF, xacro, MJCF)
+before a simulator loads it: XML, schema, names, references, frames, inertia,
+joints, shapes, meshes and packages, each finding with its place and what to do.
 .
 It also computes mass and inertia exactly, checks and repairs meshes, converts
-between the two formats with an account of every loss, and simulates a model
-without a window for a verdict that a script can use.")
+between the formats with an account of every loss, edits models with a proof of
+what changed, serves editors, and simulates a model without a window for a
+verdict that a script can use.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME librigor-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
