@@ -34,8 +34,7 @@ class Printer {
 
   void put(std::string_view text) {
     if (text.size() > out_.size() - size_) grow(text.size());
-    std::memcpy(out_.data() + size_, text.data(), text.size());
-    size_ += text.size();
+    size_ += text.copy(out_.data() + size_, text.size());
   }
 
   void node(const Node& node, std::size_t level) {
