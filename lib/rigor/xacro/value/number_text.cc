@@ -204,9 +204,9 @@ Value plain_decimal(std::string_view text) {
   std::size_t at = 0;
   // More digits may not fit.
   constexpr std::size_t kMostDigits = 18;
-  for (; at < text.size() && at <= kMostDigits && is_ascii_digit(text[at]); ++at)
+  for (; at < text.size() && at < kMostDigits && is_ascii_digit(text[at]); ++at)
     whole = whole * 10 + (text[at] - '0');
-  if (at == 0 || at > kMostDigits) return Value::error();
+  if (at == 0) return Value::error();
   if (at == text.size()) return Value::integer(negative ? -whole : whole);
   if (text[at] != '.' || at + 1 == text.size()) return Value::error();
   for (std::size_t i = at + 1; i < text.size(); ++i) {
