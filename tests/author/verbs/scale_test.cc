@@ -117,6 +117,36 @@ TEST(Scale, WhatSdfTakesWhereNothingIsWritten) {
             (std::vector<std::string>{"m.sdf:10: may be a length, kept: <wheel_radius>0.1"}));
 }
 
+/// Of the YAML that was found the one that names a joint of the robot, of a named one what it holds.
+TEST(Scale, LengthsInTheYamlOfControllersAreListed) {
+  constexpr const char* kRover = R"(<robot name="rover">
+  <link name="base"/>
+  <joint name="left_wheel_joint" type="continuous">
+    <parent link="base"/> <child link="wheel"/>
+  </joint>
+  <link name="wheel"/>
+</robot>
+)";
+  constexpr const char* kDrive =
+      "diff_drive:\n"
+      "  ros__parameters:\n"
+      "    left_wheel_names: [left_wheel_joint]\n"
+      "    wheel_radius: 0.1  # m\n"
+      "    wheel_radius_multiplier: 1.0\n"
+      "    publish_rate: 50\n"
+      "    tracks: {front_track: 0.5, name: track}\n";
+  VerbBench bench({{"rover.urdf", kRover},
+                   {"drive.yaml", kDrive},
+                   {"other.yaml", "wheel_names: [other_joint]\nwheel_radius: 0.3\n"},
+                   {"named.yaml", "wheel_separation: 0.4\n"}});
+  const EditedModel& rover = bench.open("rover.urdf");
+  const ReferringFiles files({"rover.urdf", "named.yaml"}, {"drive.yaml", "other.yaml"});
+  EXPECT_EQ(scaled(rover, 2, files).notes,
+            (std::vector<std::string>{"named.yaml:1: may be a length, kept: wheel_separation: 0.4",
+                                      "drive.yaml:4: may be a length, kept: wheel_radius: 0.1",
+                                      "drive.yaml:7: may be a length, kept: front_track: 0.5"}));
+}
+
 TEST(Scale, FactorsThatAreNone) {
   VerbBench bench(
       {{"m.sdf", R"(<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>)"}});

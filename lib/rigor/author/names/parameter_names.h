@@ -8,7 +8,7 @@
 //   for (const ParameterName& use : parameter_names(bytes, ParameterFormat::kYaml, source, "elbow"))
 //     if (use.is_of({NameKind::kJoint})) edit(use.where);
 //
-// Read by lines and brackets; anchors, block texts and everything else of the formats are passed over.
+// How they are read: parameter_texts.h.
 
 #pragma once
 

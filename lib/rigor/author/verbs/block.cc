@@ -61,6 +61,12 @@ std::string child_indentation(const xml::Document& document, xml::Element holder
   return xml::indentation(document, holder) + xml::indent_unit(document, holder);
 }
 
+std::optional<xml::Element> last_child_of(xml::Element element) {
+  std::optional<xml::Element> last;
+  for (const xml::Element child : element.children()) last = child;
+  return last;
+}
+
 std::string trimmed_lines(std::string text) {
   text.erase(text.find_last_not_of(write::kSpace) + 1);
   const std::size_t first = text.find_first_not_of(write::kSpace);

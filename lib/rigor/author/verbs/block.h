@@ -40,6 +40,9 @@ std::optional<Edit> block_in_template(const EditedModel& edited, std::string tex
 /// What the children of an element begin with.
 std::string child_indentation(const xml::Document& document, xml::Element holder);
 
+/// Behind which something is inserted as the last; none of an element without children.
+std::optional<xml::Element> last_child_of(xml::Element element);
+
 /// Without white space at its end and empty lines at its beginning.
 std::string trimmed_lines(std::string text);
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,12 +14,13 @@
 
 #include <fmt/core.h>
 
+#include <rigor/author/names/parameter_lengths.h>
+#include <rigor/author/verbs/block.h>
 #include <rigor/author/verbs/draft.h>
 #include <rigor/author/verbs/placed.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/model/motion.h>
 #include <rigor/schema/value.h>
-#include <rigor/text/letter_case.h>
 #include <rigor/write/numbers.h>
 
 namespace rigor::author {
@@ -37,6 +38,9 @@ constexpr AxisPowers kSlidingPowers{1, 3, 0.5, 2.5, 2};
 
 constexpr double kContactStiffnessPower = 2;
 constexpr double kContactDampingPower = 2.5;
+
+/// What people write of parameters; what is larger is data.
+constexpr std::uint64_t kMaxListedBytes = std::uint64_t{1} << 20U;
 
 double kept_if_endless(double value, double factor) {
   return std::isfinite(value) ? value * factor : value;
@@ -110,15 +114,10 @@ class ScaledRobot {
   std::set<std::string> unknown_;
 };
 
-/// Words in the name of a parameter that is a length.
-constexpr std::string_view kLengthWords[] = {"radius",    "diameter", "separation", "distance",
-                                             "length",    "width",    "height",     "offset",
-                                             "wheelbase", "track"};
-
 class Scaler {
  public:
-  Scaler(const EditedModel& edited, double factor)
-      : edited_(edited), root_(edited.root()), draft_(edited), f_(factor) {}
+  Scaler(const EditedModel& edited, double factor, const ReferringFiles& files)
+      : edited_(edited), root_(edited.root()), files_(files), draft_(edited), f_(factor) {}
 
   Change scale() {
     for (const Placed& each : placed_in(edited_)) {
@@ -143,6 +142,7 @@ class Scaler {
       if (edited_.inside(joint.model)) scale_joint(joint);
     }
     list_lengths();
+    for (const std::string& path : files_.all()) list_lengths(path);
     Change change;
     change.refused = draft_.problem();
     change.steps = draft_.take();
@@ -218,9 +218,7 @@ class Scaler {
   }
 
   std::optional<xml::Element> last_child(const model::Site& site) const {
-    std::optional<xml::Element> last;
-    for (const xml::Element child : edited_.element(site).children()) last = child;
-    return last;
+    return last_child_of(edited_.element(site));
   }
 
   std::string text(double value, double power) const {
@@ -323,22 +321,44 @@ class Scaler {
   }
   void list_lengths(const model::Parameters& parameters) {
     for (const model::Parameter& each : parameters) {
-      const std::string name = lowered(each.name);
-      const bool is_length =
-          std::any_of(std::begin(kLengthWords), std::end(kLengthWords),
-                      [&](std::string_view word) { return name.find(word) != std::string::npos; });
-      if (is_length && each.children.empty() && write::number_in(each.value.value)) {
-        notes_.push_back(fmt::format(
-            "{}:{}: may be a length, kept: <{}>{}", edited_.sources.path(each.site.span.source),
-            edited_.sources.position(each.site.span.source, each.site.span.begin).line, each.name,
-            each.value.value));
-      }
+      if (is_length_name(each.name) && each.children.empty() && write::number_in(each.value.value))
+        note_length(each.site.span, fmt::format("<{}>{}", each.name, each.value.value));
       list_lengths(each.children);
     }
   }
 
+  /// Of a file of parameters that was named, or names a joint of the robot.
+  void list_lengths(const std::string& path) {
+    const auto format = parameter_format(path);
+    const ReadResult read =
+        format ? edited_.environment.disk.read(path, kMaxListedBytes) : ReadResult{};
+    if (!read.bytes) return;
+    const std::string_view bytes = *read.bytes;
+    const bool is_named =
+        std::find(files_.named.begin(), files_.named.end(), path) != files_.named.end();
+    const auto names_joint = [&](const robot::Joint& joint) {
+      const auto uses = parameter_names(bytes, *format, kNoSource, joint.name);
+      return std::any_of(uses.begin(), uses.end(),
+                         [](const ParameterName& use) { return use.is_of({NameKind::kJoint}); });
+    };
+    const std::vector<robot::Joint>& joints = edited_.robot.joints;
+    if (!is_named && std::none_of(joints.begin(), joints.end(), names_joint)) return;
+    const SourceId source = edited_.sources.add(path, *read.bytes);
+    for (const ParameterText& length : parameter_lengths(bytes, *format, source)) {
+      note_length(length.where,
+                  fmt::format("{}: {}", length.keys.back(), edited_.sources.bytes(length.where)));
+    }
+  }
+
+  void note_length(Span where, const std::string& what) {
+    notes_.push_back(fmt::format("{}:{}: may be a length, kept: {}",
+                                 edited_.sources.path(where.source),
+                                 edited_.sources.position(where.source, where.begin).line, what));
+  }
+
   const EditedModel& edited_;
   const model::Root& root_;
+  const ReferringFiles& files_;
   Draft draft_;
   double f_;
   std::vector<std::string> notes_;
@@ -346,11 +366,11 @@ class Scaler {
 
 }  // namespace
 
-Change scaled(const EditedModel& edited, double factor) {
+Change scaled(const EditedModel& edited, double factor, const ReferringFiles& files) {
   if (!(factor > 0) || !std::isfinite(factor)) return refusal("a factor is positive");
   if (const auto included = included_part(edited))
     return refusal("a part of it is in " + *included + ": scale that first");
-  return Scaler(edited, factor).scale();
+  return Scaler(edited, factor, files).scale();
 }
 
 }  // namespace rigor::author

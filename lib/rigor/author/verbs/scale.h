@@ -20,15 +20,17 @@
 //   | f^2½ | damping of sliding joints, contact kd                                  |
 //
 // Angles, coefficients of friction, what sensors measure, and the place of the model in its world are kept. Parameters of
-// plugins that read like lengths are kept and listed.
+// plugins that read like lengths are kept and listed, and so are those of controllers in files of parameters that were
+// named, or name a joint of the robot.
 
 #pragma once
 
+#include <rigor/author/names/workspace_files.h>
 #include <rigor/author/verbs/change.h>
 
 namespace rigor::author {
 
 /// `factor` is positive and finite. Refused where a part is in a file that is included.
-Change scaled(const EditedModel& edited, double factor);
+Change scaled(const EditedModel& edited, double factor, const ReferringFiles& files = {});
 
 }  // namespace rigor::author

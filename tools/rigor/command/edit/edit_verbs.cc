@@ -21,7 +21,7 @@
 #include <rigor/author/verbs/reroot.h>
 #include <rigor/author/verbs/scale.h>
 #include <rigor/author/verbs/set_value.h>
-#include <rigor/author/verbs/simplify.h>
+#include <rigor/author/verbs/simplify/simplify.h>
 #include <rigor/author/verbs/split.h>
 #include <rigor/read/template/template_expander.h>
 
@@ -60,7 +60,8 @@ Change reroot(const EditRequest& request, ModelReader&, const EditedModel& edite
 }
 
 Change scale(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  return author::scaled(edited, positive_number("edit scale: FACTOR", request.words[0], ""));
+  return author::scaled(edited, positive_number("edit scale: FACTOR", request.words[0], ""),
+                        {request.files, request.found});
 }
 
 /// "x y z" or "x y z roll pitch yaw", m and rad.
@@ -263,7 +264,7 @@ constexpr EditVerb kEditVerbs[] = {
     {"remove", "LINK", "--subtree", remove, false, true},
     {"extract", "LINK", "", extract, false, true},
     {"reroot", "LINK", "", reroot},
-    {"scale", "FACTOR", "", scale},
+    {"scale", "FACTOR", "", scale, false, true},
     {"mirror", "LINK", "--plane --rename", mirror},
     {"attach", "",
      "--to --frame --tool-frame --include --macro --param --pose --joint --lower --upper --effort "

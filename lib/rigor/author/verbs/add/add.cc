@@ -76,12 +76,6 @@ bool follows_another(const model::Joint& joint) {
   return !joint.axes.empty() && joint.axes.front().mimic.has_value();
 }
 
-std::optional<xml::Element> last_child_of(xml::Element element) {
-  std::optional<xml::Element> last;
-  for (const xml::Element child : element.children()) last = child;
-  return last;
-}
-
 std::string indented_lines(std::string text) {
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 3)
     text.insert(at + 1, "  ");
