@@ -106,6 +106,78 @@ TEST(Split, TheMassOfShapes) {
   EXPECT_EQ(VerbBench::words(differences_at_rounding(arm.robot, lumped_again.after->robot)), "");
 }
 
+/// What is computed is written number by number, by split and by lump; what its author did not write is added.
+TEST(Split, CommentsInTheInertialStay) {
+  constexpr const char* kSdf = R"(<sdf version="1.6">
+  <model name="m">
+    <link name="base">
+      <inertial>
+        <!-- weighed -->
+        <pose>0 0 0 0 0 1.5707963267948966</pose>
+        <mass>4</mass>
+        <inertia>
+          <ixx>1</ixx>  <!-- from CAD -->
+          <iyy>2</iyy>
+          <izz>3</izz>
+        </inertia>
+      </inertial>
+      <visual name="a"><geometry><box><size>1 1 1</size></box></geometry></visual>
+      <visual name="b">
+        <pose>1 1 0 0 0 0</pose>
+        <geometry><sphere><radius>0.5</radius></sphere></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)";
+  VerbBench bench({{"m.sdf", kSdf}});
+  const EditedModel& before = bench.open("m.sdf");
+  SplitRequest request;
+  request.name = "ball";
+  request.X_LN = {{1, 1, 0}, {}};
+  request.take = {"b"};
+  request.share = SplitMass::kGiven;
+  request.mass = 0.5;
+  const ProvenChange proven = bench.prove(before, split(before, "base", request));
+  ASSERT_TRUE(proven.holds()) << proven.refused << VerbBench::words(proven.unasked);
+  const std::string& text = proven.files.front().text;
+  EXPECT_NE(text.find("        <!-- weighed -->\n        <pose>-0.14285714285714"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<mass>3.5</mass>"), std::string::npos) << text;
+  EXPECT_NE(text.find("</ixx>  <!-- from CAD -->"), std::string::npos) << text;
+  EXPECT_NE(text.find("<ixy>"), std::string::npos) << text;
+  const ProvenChange again = bench.prove(*proven.after, lumped(*proven.after, {"ball"}));
+  ASSERT_TRUE(again.holds()) << again.refused << VerbBench::words(again.unasked);
+  EXPECT_NE(again.files.front().text.find("<!-- from CAD -->"), std::string::npos);
+  EXPECT_EQ(VerbBench::words(differences_at_rounding(before.robot, again.after->robot)), "");
+}
+
+/// Its five numbers are no place that could be told from another frame.
+TEST(Split, APoseThatIsNoneIsNamed) {
+  constexpr const char* kSdf = R"(<sdf version="1.6">
+  <model name="m">
+    <link name="base">
+      <visual name="a">
+        <pose>0 -0.25 0 0 0</pose>
+        <geometry><box><size>1 1 1</size></box></geometry>
+      </visual>
+    </link>
+    <link name="tip"/>
+    <joint name="j" type="fixed"><parent>tip</parent><child>base</child></joint>
+  </model>
+</sdf>
+)";
+  VerbBench bench({{"m.sdf", kSdf}});
+  const EditedModel& model = bench.open("m.sdf");
+  SplitRequest request;
+  request.X_LN = {{0, 0, 1}, {}};
+  request.take = {"a"};
+  request.share = SplitMass::kShapes;
+  EXPECT_EQ(split(model, "base", request).refused, "line 5: the pose is not written as one");
+  EXPECT_EQ(lumped(model, {}).refused, "line 5: the pose is not written as one");
+}
+
 TEST(Split, AnSdfLinkAtAFrame) {
   constexpr const char* kSdf = R"(<sdf version="1.7">
   <model name="m">

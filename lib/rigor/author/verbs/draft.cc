@@ -235,6 +235,13 @@ void Draft::set_pose(const model::PoseField& field, Element holder, const Pose& 
   }
 }
 
+std::vector<Edit> Draft::edits_for_copy(Draft other) {
+  if (problem_.empty()) problem_ = std::move(other.problem_);
+  std::vector<Edit> edits;
+  for (const std::vector<Edit>& step : other.steps_) append(edits, step);
+  return edits;
+}
+
 void Draft::set_text(Element element, std::string_view text) {
   add(xml::set_text(edited_.document(), element, text));
 }

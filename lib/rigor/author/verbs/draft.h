@@ -70,6 +70,10 @@ class Draft {
 
   std::vector<std::vector<Edit>> take() { return std::move(steps_); }
 
+  /// The edits of another draft, for a copy of the text that they are in: they are no steps of this one, but what could
+  /// not be set there is this one's problem.
+  std::vector<Edit> edits_for_copy(Draft other);
+
  private:
   void refuse_pose(xml::Element pose);
   std::vector<Edit> numbers_at(Span span, const std::vector<double>& numbers) const;

@@ -3,13 +3,60 @@
 
 #include <rigor/author/verbs/inertial_block.h>
 
+#include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include <rigor/author/verbs/block.h>
 #include <rigor/schema/value.h>
+#include <rigor/xml/edit.h>
 
 namespace rigor::author {
+namespace {
+
+/// Where mass and tensor have elements, and nothing but those tells what they are.
+bool can_be_set(const model::Inertial& inertial) {
+  return inertial.mass.written && inertial.tensor_written && !inertial.automatic.value &&
+         !inertial.pose.malformed;
+}
+
+}  // namespace
+
+void set_inertial(Draft& draft, const EditedModel& edited, const model::Link& link,
+                  const mass::MassProperties& body) {
+  const xml::Element element = edited.element(link.site);
+  const model::Inertial& inertial = link.inertial;
+  const bool urdf = edited.is_urdf();
+  const auto whole = [&] {
+    return inertial_block(body, urdf ? InertialForm::kUrdf : InertialForm::kSdf);
+  };
+  const auto old = element.child("inertial");
+  if (!old) return draft.insert(element, element.child("pose"), whole());
+  if (!can_be_set(inertial))
+    return draft.add(xml::replace_element(edited.document(), *old, whole()));
+  draft.set_pose(inertial.pose, *old, {body.com, {}});
+  draft.set(inertial.mass, body.mass);
+  const mass::Inertia& I = body.about_com;
+  const xml::Element tensor = edited.element(inertial.tensor_site);
+  const std::tuple<const char*, const model::Field<double>*, double> entries[] = {
+      {"ixx", &inertial.ixx, I.ixx}, {"ixy", &inertial.ixy, I.ixy}, {"ixz", &inertial.ixz, I.ixz},
+      {"iyy", &inertial.iyy, I.iyy}, {"iyz", &inertial.iyz, I.iyz}, {"izz", &inertial.izz, I.izz}};
+  std::string missing;
+  for (const auto& [name, field, value] : entries) {
+    if (field->written) {
+      draft.set(*field, value);
+    } else if (value != field->value && urdf) {
+      draft.set_attribute(tensor, name, schema::to_shortest(value));
+    } else if (value != field->value) {
+      missing += (missing.empty() ? "" : "\n") +
+                 fmt::format("<{0}>{1}</{0}>", name, schema::to_shortest(value));
+    }
+  }
+  if (!missing.empty()) draft.insert(tensor, last_child_of(tensor), missing);
+}
 
 std::string inertial_block(const mass::MassProperties& body, InertialForm form) {
   const auto text = [](double value) { return schema::to_shortest(value + 0.0); };
@@ -35,8 +82,7 @@ std::string inertial_block(const mass::MassProperties& body, InertialForm form) 
       com, text(body.mass), tensor);
 }
 
-std::string indented_by(const std::string& text, const std::string& by,
-                           const std::string& line) {
+std::string indented_by(const std::string& text, const std::string& by, const std::string& line) {
   std::string result = by;
   for (const char c : text) {
     if (c == '\n') {

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <string>
 
+#include <rigor/author/verbs/draft.h>
+#include <rigor/author/verbs/edited_model.h>
 #include <rigor/mass/mass_properties.h>
 
 namespace rigor::author {
@@ -18,6 +20,11 @@ enum class InertialForm : std::uint8_t { kSdf, kUrdf };
 
 /// In the link's frame; lines are ended by '\n' and indented from nothing.
 std::string inertial_block(const mass::MassProperties& body, InertialForm form);
+
+/// Gives a link of the file that inertial, in the link's frame: number by number where it has one, so that comments and
+/// layout stay, else as its first child behind a pose.
+void set_inertial(Draft& draft, const EditedModel& edited, const model::Link& link,
+                  const mass::MassProperties& body);
 
 /// Each line with that in front, and the document's line end between them.
 std::string indented_by(const std::string& text, const std::string& by, const std::string& line);

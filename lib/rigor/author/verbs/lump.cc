@@ -51,6 +51,7 @@ class Lumper {
     } else {
       has_frames() ? rewrite_sdf() : rewrite_old_sdf();
     }
+    if (!draft_.problem().empty()) return refusal(draft_.problem());
     Change change;
     change.steps = draft_.take();
     change.expected = law();
@@ -242,9 +243,7 @@ class Lumper {
           {name + ' ' + std::string(each.holder.name()), std::string(attribute->value())});
       if (other != renamed_.end()) moved.add({{attribute->value_span(), other->second}});
     }
-    std::vector<Edit> edits;
-    for (const std::vector<Edit>& step : moved.take()) append(edits, step);
-    return edits;
+    return draft_.edits_for_copy(std::move(moved));
   }
 
   /// What it holds now, and the mass of all.
@@ -275,13 +274,7 @@ class Lumper {
                      '>' + line + text + in + "</" + std::string(element.name()) + '>'}});
       return;
     }
-    if (changed) {
-      if (const auto old = element.child("inertial")) {
-        draft_.add(xml::replace_element(document, *old, inertial(mass)));
-      } else {
-        draft_.insert(element, element.child("pose"), inertial(mass));
-      }
-    }
+    if (changed) set_inertial(draft_, edited_, root_[holder], mass);
     if (block.empty()) return;
     if (auto edit = block_at_end(document, element, block)) draft_.add({*std::move(edit)});
   }

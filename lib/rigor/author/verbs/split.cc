@@ -207,12 +207,7 @@ class Splitter {
     const Span span = element.span();
     draft_.add({{{span.source, span.end, span.end}, std::move(text)}});
     if (goes_.mass == 0) return;
-    const std::string left =
-        inertial_block(stays_, edited_.is_urdf() ? InertialForm::kUrdf : InertialForm::kSdf);
-    if (const auto old = element.child("inertial"))
-      draft_.add(xml::replace_element(document, *old, left));
-    else
-      draft_.insert(element, element.child("pose"), left);
+    set_inertial(draft_, edited_, root_[id_], stays_);
   }
 
   std::string pose_text() const {
@@ -232,9 +227,7 @@ class Splitter {
       moved.set_pose(*each.field, each.holder,
                      compose(inverse(request_.X_LN), each.field->pose.value));
     }
-    std::vector<Edit> edits;
-    for (const std::vector<Edit>& step : moved.take()) append(edits, step);
-    return edits;
+    return draft_.edits_for_copy(std::move(moved));
   }
 
   /// SDF: a joint's pose is in its child, and stays.
