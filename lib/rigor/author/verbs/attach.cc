@@ -9,11 +9,11 @@
 #include <optional>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include <fmt/core.h>
 
 #include <rigor/author/verbs/block.h>
+#include <rigor/author/verbs/moved_paths.h>
 #include <rigor/author/verbs/prefix.h>
 #include <rigor/author/verbs/robot_laws.h>
 #include <rigor/schema/value.h>
@@ -120,7 +120,7 @@ class Attacher {
       return fmt::format("names of {} are taken, and a file that is included keeps them",
                          gripper_->path());
     }
-    if (!moved_paths().empty())
+    if (!paths_from_arm().empty())
       return fmt::format("meshes of {} have relative paths: use package://", gripper_->path());
     const std::set<std::string> of_arm = material_names(arm_);
     for (const model::RobotMaterial& each : gripper_->root().materials) {
@@ -201,30 +201,9 @@ class Attacher {
     return arm_.is_urdf() ? root : name_ + "::" + root;
   }
 
-  /// A relative path of the gripper's file as one of the arm's.
-  std::string moved_path(const std::string& uri) const {
-    const std::string from(parent_path(gripper_->path())), to(parent_path(arm_.path()));
-    if (uri.empty() || uri.find("://") != std::string::npos || is_absolute(uri) ||
-        normalize_path(from) == normalize_path(to))
-      return uri;
-    return relative_path(to, join_path(from, uri));
-  }
-
-  std::vector<Edit> moved_paths() const {
-    std::vector<Edit> edits;
-    const auto move_uri = [&](const model::Field<std::string>& uri) {
-      if (!uri.written || uri.span.nowhere()) return;
-      const std::string path = moved_path(uri.value);
-      if (path != uri.value) edits.push_back({uri.span, path});
-    };
-    const auto move = [&](const model::Geometry& geometry) {
-      if (const auto* mesh = std::get_if<model::Mesh>(&geometry.shape)) move_uri(mesh->uri);
-      if (const auto* map = std::get_if<model::Heightmap>(&geometry.shape)) move_uri(map->uri);
-      if (const auto* image = std::get_if<model::Image>(&geometry.shape)) move_uri(image->uri);
-    };
-    for (const model::Collision& each : gripper_->root().collisions) move(each.geometry);
-    for (const model::Visual& each : gripper_->root().visuals) move(each.geometry);
-    return edits;
+  /// Of the gripper's file in the folder of the arm's.
+  std::vector<Edit> paths_from_arm() const {
+    return moved_paths(*gripper_, parent_path(arm_.path()));
   }
 
   /// Without the materials of the robot that the arm has already.
@@ -311,7 +290,7 @@ class Attacher {
   }
 
   std::optional<Edit> urdf_block() {
-    std::vector<Edit> edits = moved_paths();
+    std::vector<Edit> edits = paths_from_arm();
     merge_materials(edits);
     const xml::Element root = gripper_->element(gripper_->root()[gripper_->model].site);
     const auto end = end_of_content(gripper_->document(), root);
@@ -366,7 +345,7 @@ class Attacher {
   std::string copied_model() {
     const model::Model& model = gripper_->root()[gripper_->model];
     const xml::Element element = gripper_->element(model.site);
-    std::vector<Edit> edits = moved_paths();
+    std::vector<Edit> edits = paths_from_arm();
     append(edits, xml::set_attribute(gripper_->document(), element, "name", name_));
     if (const auto pose = element.child("pose"))
       append(edits, xml::remove_element(gripper_->document(), *pose));
@@ -417,13 +396,7 @@ class Attacher {
     describe_in(part, root, compose(inverse(part.bodies[root].X_MB), X_GR));
     robot::connect(part);
     if (!arm_.is_urdf()) scope_names(part);
-    for (robot::Body& body : part.bodies) {
-      for (auto* parts : {&body.collisions, &body.visuals}) {
-        for (robot::Part& each : *parts) {
-          if (!includes()) each.shape.uri = moved_path(each.shape.uri);
-        }
-      }
-    }
+    if (!includes()) move_paths(part, *gripper_, parent_path(arm_.path()));
     const auto offset = static_cast<std::uint32_t>(all.bodies.size());
     robot::Joint joint;
     joint.name = joint_;

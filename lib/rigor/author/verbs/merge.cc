@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include <fmt/core.h>
 
 #include <rigor/author/patched_text.h>
 #include <rigor/author/verbs/block.h>
+#include <rigor/author/verbs/moved_paths.h>
 #include <rigor/convert/settings.h>
 #include <rigor/read/documents.h>
 #include <rigor/read/load.h>
@@ -106,7 +106,7 @@ class WorldMerger {
     const auto edit = block_at_end(document, world,
                                    child_indentation(document, world) + part(b_, 1, request_.X_WB));
     if (!edit) return false;
-    std::vector<Edit> edits = moved_paths(a_);
+    std::vector<Edit> edits = moved_paths(a_, folder_);
     edits.push_back(*edit);
     world_.text = apply_edits(document.bytes(), std::move(edits)).value_or("");
     return !world_.text.empty();
@@ -121,7 +121,7 @@ class WorldMerger {
   std::string copied(const EditedModel& of, std::size_t index, const std::optional<Pose>& X) const {
     const xml::Document& document = of.document();
     const xml::Element element = of.element(of.root()[of.model].site);
-    std::vector<Edit> edits = moved_paths(of);
+    std::vector<Edit> edits = moved_paths(of, folder_);
     if (of.robot.name != world_.names[index])
       append(edits, xml::set_attribute(document, element, "name", world_.names[index]));
     if (X) {
@@ -156,34 +156,6 @@ class WorldMerger {
     return rigor::relative_path(folder_, of.path());
   }
 
-  // --- Paths of what is copied ---
-
-  std::string moved_path(const EditedModel& of, const std::string& uri) const {
-    const std::string from(parent_path(of.path()));
-    if (uri.empty() || uri.find("://") != std::string::npos || is_absolute(uri) ||
-        normalize_path(from) == normalize_path(folder_))
-      return uri;
-    return rigor::relative_path(folder_, join_path(from, uri));
-  }
-
-  std::vector<Edit> moved_paths(const EditedModel& of) const {
-    std::vector<Edit> edits;
-    const auto move_uri = [&](const model::Field<std::string>& uri) {
-      if (!uri.written || uri.span.nowhere() || uri.span.source != of.document().source()) return;
-      const std::string path = moved_path(of, uri.value);
-      if (path != uri.value) edits.push_back({uri.span, xml::escaped(path)});
-    };
-    const auto move = [&](const model::Geometry& geometry) {
-      if (const auto* mesh = std::get_if<model::Mesh>(&geometry.shape)) move_uri(mesh->uri);
-      if (const auto* map = std::get_if<model::Heightmap>(&geometry.shape)) move_uri(map->uri);
-      if (const auto* image = std::get_if<model::Image>(&geometry.shape)) move_uri(image->uri);
-    };
-    for (const model::Collision& each : of.root().collisions) move(each.geometry);
-    for (const model::Visual& each : of.root().visuals) move(each.geometry);
-    for (const model::Include& each : of.root().includes) move_uri(each.uri);
-    return edits;
-  }
-
   // --- The proof ---
 
   robot::Robot expected(const EditedModel& of, std::size_t index) const {
@@ -193,11 +165,7 @@ class WorldMerger {
     if (!robot.X_WM) robot.X_WM = Pose{};
     if (!robot.is_static) robot.is_static = false;
     if (!is_copied()) return robot;
-    for (robot::Body& body : robot.bodies) {
-      for (auto* parts : {&body.collisions, &body.visuals}) {
-        for (robot::Part& each : *parts) each.shape.uri = moved_path(of, each.shape.uri);
-      }
-    }
+    move_paths(robot, of, folder_);
     return robot;
   }
 
