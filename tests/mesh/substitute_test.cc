@@ -9,9 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include <rigor/mesh/primitive/primitive_mesh.h>
+#include <rigor/mesh/reduce.h>
 #include <rigor/mesh/spatial/distance.h>
+#include <rigor/mesh/substitute/fitted.h>
 
 #include "support/meshes.h"
 
@@ -118,6 +122,45 @@ TEST(Substitute, AnAngleIsTwoPieces) {
   EXPECT_LE(found->hausdorff, 0.02);
   EXPECT_NEAR(found->volume_error, 0, 0.02);
   EXPECT_GE(found->meshes.size(), 2U);
+}
+
+/// A sheet of separate tiles, on a parabola: no two share an edge that could be collapsed.
+TEST(Substitute, TilesThatDoNotHangTogether) {
+  TriangleMesh tiles;
+  constexpr int kTiles = 24;
+  const auto corner = [](double i, double j) {
+    const double x = i / kTiles, y = j / kTiles;
+    return Vector3{x, y, x * x};
+  };
+  for (int i = 0; i < kTiles; ++i) {
+    for (int j = 0; j < kTiles; ++j) {
+      constexpr double kGap = 0.05;
+      const auto first = static_cast<std::uint32_t>(tiles.positions.size());
+      for (const auto& [di, dj] : {std::pair(kGap, kGap), std::pair(1 - kGap, kGap),
+                                   std::pair(1 - kGap, 1 - kGap), std::pair(kGap, 1 - kGap)})
+        tiles.positions.push_back(corner(i + di, j + dj));
+      tiles.triangles.push_back({first, first + 1, first + 2});
+      tiles.triangles.push_back({first, first + 2, first + 3});
+    }
+  }
+  const auto found = find_substitute(tiles, {.max_error = 0.04});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, SubstituteKind::kReduced);
+  EXPECT_LE(5 * found->triangles, tiles.triangles.size());
+  ASSERT_EQ(found->meshes.size(), 1U);
+  EXPECT_LE(deviation(tiles, found->meshes[0], 20'000).hausdorff(), 0.04 * 1.01);
+}
+
+/// Corners on a ball have all of the surface inside of it; with corners outside, half of the distance would do.
+TEST(Fitted, CornersBesideASurfaceBringItNearer) {
+  const TriangleMesh ball = test::faceted_ball(1);
+  const TriangleMesh coarse = reduce(ball, {.triangles = 40}).mesh;
+  const TriangleMesh near = fitted(coarse, ball);
+  EXPECT_EQ(near.triangles, coarse.triangles);
+  EXPECT_LT(deviation(near, ball, 10'000).hausdorff(),
+            0.8 * deviation(coarse, ball, 10'000).hausdorff());
+  // What is there already stays.
+  EXPECT_NEAR(deviation(fitted(ball, ball), ball, 1000).hausdorff(), 0, 1e-12);
 }
 
 TEST(Substitute, ABoundThatNothingKeepsGivesNothing) {

@@ -67,4 +67,9 @@ struct Reduced {
 /// of any other. Normals are the mesh's at that corner, the ones nearest to the new triangle's.
 Reduced reduce(const TriangleMesh& mesh, const Reduction& to);
 
+/// Corners of each cell of a grid made one (J. Rossignac, P. Borrel, "Multi-resolution 3D approximations for rendering
+/// complex scenes", 1993): what does not hang together, where no edge can be collapsed, gets fewer triangles, too. No
+/// surface stays closed. What corners carry is lost.
+TriangleMesh reduced_loosely(const TriangleMesh& mesh, std::uint64_t triangles);
+
 }  // namespace rigor::mesh

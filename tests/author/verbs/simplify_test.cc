@@ -3,7 +3,7 @@
 //
 // simplify-collisions: what stands in the file afterwards, and what is left as it is.
 
-#include <rigor/author/verbs/simplify.h>
+#include <rigor/author/verbs/simplify/simplify.h>
 
 #include <gtest/gtest.h>
 
@@ -115,6 +115,25 @@ TEST(Simplify, FromVisuals) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find(R"(            <radius>100</radius>)"), std::string::npos) << text;
+}
+
+TEST(Simplify, WhatIsLeftIsNamedWithItsReason) {
+  constexpr const char* kUrdf = R"(<robot name="r">
+  <link name="a"><collision><geometry><mesh filename="four.stl"/></geometry></collision></link>
+  <link name="b"><collision><geometry><mesh filename="none.stl"/></geometry></collision></link>
+  <joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>
+</robot>
+)";
+  mesh::TriangleMesh four;
+  four.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  four.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  VerbBench bench({{"r.urdf", kUrdf}, {"four.stl", mesh::write_stl(four)}});
+  const std::string refused = simplified(bench.open("r.urdf"), {}).refused;
+  EXPECT_NE(refused.find("collision a/1: left: it is coarse already, with 4 triangles"),
+            std::string::npos)
+      << refused;
+  EXPECT_NE(refused.find("collision b/1: left: none.stl is not found"), std::string::npos)
+      << refused;
 }
 
 /// A ball inside of a box's surface touches it only once the box is solid.

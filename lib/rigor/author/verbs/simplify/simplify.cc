@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/verbs/simplify.h>
+#include <rigor/author/verbs/simplify/simplify.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +15,17 @@
 
 #include <fmt/core.h>
 
-#include <rigor/author/mesh_uri.h>
 #include <rigor/author/verbs/block.h>
 #include <rigor/author/verbs/draft.h>
+#include <rigor/author/verbs/simplify/mesh_files.h>
+#include <rigor/author/verbs/simplify/primitive_element.h>
+#include <rigor/author/verbs/simplify/rest_contacts.h>
+#include <rigor/author/verbs/simplify/simplification.h>
 #include <rigor/mass/mesh/reads.h>
+#include <rigor/mesh/collide/collider.h>
 #include <rigor/mesh/select.h>
 #include <rigor/mesh/substitute/substitute.h>
-#include <rigor/mesh/write/write.h>
-#include <rigor/robot/collision/self_collisions.h>
 #include <rigor/robot/collision/surfaces.h>
-#include <rigor/text/path.h>
-#include <rigor/write/numbers.h>
-#include <rigor/write/safe_name.h>
 #include <rigor/xml/edit.h>
 #include <rigor/xml/style.h>
 
@@ -41,27 +40,8 @@ using model::Vector3;
 
 constexpr int kFirstWithCapsules = 8;
 
-using PartId = std::variant<Id<model::Collision>, Id<model::Visual>>;
-
-/// A mesh to be replaced: a collision's, or a visual's of a link without one.
-struct Simplification {
-  std::uint32_t body = 0;
-  std::size_t index = 0;  ///< among the body's collisions, or visuals
-  PartId part;
-  const model::PoseField* pose = nullptr;
-  const model::Geometry* geometry = nullptr;
-  model::Site site;
-  std::string name;  ///< "collision arm/hull"
-  SubstituteKind first = SubstituteKind::kPrimitive;
-  std::shared_ptr<const Substitute> found;
-  std::vector<std::string> uris;  ///< of the new meshes
-  std::string why;                ///< it is left as it is
-  double link_size = 0;           ///< m
-  std::size_t triangles = 0;      ///< before
-
-  const model::Mesh& mesh() const { return std::get<model::Mesh>(geometry->shape); }
-  bool is_new() const { return std::holds_alternative<Id<model::Visual>>(part); }
-};
+/// A mesh with fewer triangles is one that somebody simplified before: there is little to gain.
+constexpr std::size_t kCoarse = 100;
 
 /// Coordinates times the factors; what is mirrored is wound the other way round.
 mesh::TriangleMesh stretched(const mesh::TriangleMesh& from, const Vector3& by) {
@@ -75,47 +55,6 @@ mesh::TriangleMesh stretched(const mesh::TriangleMesh& from, const Vector3& by) 
   return result;
 }
 
-robot::Shape shape_of(const mesh::Primitive& primitive) {
-  struct Numbers {
-    robot::Shape operator()(const mesh::Box& s) const {
-      return {"box", {s.size.x, s.size.y, s.size.z}};
-    }
-    robot::Shape operator()(const mesh::Sphere& s) const { return {"sphere", {s.radius}}; }
-    robot::Shape operator()(const mesh::Cylinder& s) const {
-      return {"cylinder", {s.radius, s.length}};
-    }
-    robot::Shape operator()(const mesh::Capsule& s) const {
-      return {"capsule", {s.radius, s.length}};
-    }
-  };
-  return std::visit(Numbers{}, primitive);
-}
-
-/// With six digits: what a fit is good for, and what can be read.
-double readable(double value) {
-  return write::number_in(fmt::format("{:.6g}", value)).value_or(value);
-}
-
-/// With sizes of so many digits.
-mesh::Primitive rounded(mesh::Primitive primitive) {
-  struct Rounder {
-    void operator()(mesh::Box& s) const {
-      s.size = {readable(s.size.x), readable(s.size.y), readable(s.size.z)};
-    }
-    void operator()(mesh::Sphere& s) const { s.radius = readable(s.radius); }
-    void operator()(mesh::Cylinder& s) const {
-      s.radius = readable(s.radius);
-      s.length = readable(s.length);
-    }
-    void operator()(mesh::Capsule& s) const {
-      s.radius = readable(s.radius);
-      s.length = readable(s.length);
-    }
-  };
-  std::visit(Rounder{}, primitive);
-  return primitive;
-}
-
 class Simplifier {
  public:
   Simplifier(const EditedModel& edited, const SimplifyRequest& request)
@@ -123,6 +62,7 @@ class Simplifier {
         root_(edited.root()),
         request_(request),
         reads_(edited.environment.disk, edited.environment.workers),
+        meshes_(edited),
         draft_(edited) {}
 
   Change simplify() {
@@ -136,8 +76,7 @@ class Simplifier {
       if (part.found) rewrite(part);
     }
     if (std::none_of(parts_.begin(), parts_.end(), [](const auto& p) { return p.found; })) {
-      return refusal(fmt::format("none of {} collisions gets a simpler shape: {}", parts_.size(),
-                                 note(parts_.front())));
+      return refusal(none_simpler());
     }
     say_masses();
     change.steps = draft_.take();
@@ -203,7 +142,7 @@ class Simplifier {
       if (!part.why.empty()) continue;
       const mesh::TriangleMesh& read = reads_.find(shape(part).path)->mesh;
       part.triangles = read.triangles.size();
-      const Vector3 s = part.mesh().scale.value;
+      const Vector3 s = part.old_mesh().scale.value;
       for (const Vector3& p : mesh::used_positions(read))
         corners.push_back(transform(part.pose->pose.value, {s.x * p.x, s.y * p.y, s.z * p.z}));
     }
@@ -216,7 +155,7 @@ class Simplifier {
     if (of.path.empty()) return of.uri + " is not found";
     if (!of.submesh.empty()) return "it is a part of a mesh";
     if (!part.geometry->more.empty()) return "it has several shapes";
-    const Vector3 s = part.mesh().scale.value;
+    const Vector3 s = part.old_mesh().scale.value;
     if (!(std::abs(s.x * s.y * s.z) > 0) || !std::isfinite(s.x * s.y * s.z))
       return "its scale is zero";
     const auto loaded = reads_.find(of.path);
@@ -236,82 +175,49 @@ class Simplifier {
         known_[{of.path, of.numbers, bound, static_cast<int>(part.first)}];
     if (!known) {
       const auto found = mesh::find_substitute(
-          stretched(reads_.find(of.path)->mesh, part.mesh().scale.value),
+          stretched(reads_.find(of.path)->mesh, part.old_mesh().scale.value),
           {.max_error = bound,
            .capsules = capsules ? mesh::Capsules::kAllowed : mesh::Capsules::kRefused,
            .first = part.first});
       known = std::make_shared<Substitute>(found.value_or(Substitute{}));
     }
     if (!known->primitive && known->meshes.empty()) {
-      part.why = fmt::format("no simpler shape is within {:.3g} m of it", bound);
+      part.why = fmt::format(
+          "{}no simpler shape is within {:.3g} m of it",
+          part.triangles < kCoarse
+              ? fmt::format("it is coarse already, with {} triangles, and ", part.triangles)
+              : std::string(),
+          bound);
       return;
     }
     part.found = known;
     if (!name_files(part)) part.found = nullptr;
   }
 
-  static std::string_view suffix(SubstituteKind kind) {
-    switch (kind) {
-      case SubstituteKind::kHull: return "hull";
-      case SubstituteKind::kPieces: return "piece";
-      default: return "reduced";
-    }
-  }
-
   /// Whether URIs of the collision's form lead to the new meshes.
   bool name_files(Simplification& part) {
     part.uris.clear();
-    const robot::Shape& of = shape(part);
-    const Vector3& s = part.mesh().scale.value;
-    const std::string folder(parent_path(of.path));
-    const std::string_view old = file_name(of.path);
-    const std::string stem(old.substr(0, old.rfind('.')));
-    for (std::size_t i = 0; i < part.found->meshes.size(); ++i) {
-      const std::string ending =
-          part.found->meshes.size() == 1 ? std::string() : '_' + std::to_string(i + 1);
-      const mesh::TriangleMesh in_file =
-          stretched(part.found->meshes[i], {1 / s.x, 1 / s.y, 1 / s.z});
-      const std::string bytes = mesh::write_stl(in_file);
-      const std::string path =
-          free_path(folder, fmt::format("{}_{}{}", stem, suffix(part.found->kind), ending), bytes);
-      auto uri = renamed_uri(edited_.environment.resolver, part.mesh().uri.value, edited_.path(),
-                             of.path, path);
+    const Vector3& s = part.old_mesh().scale.value;
+    const std::string_view kind = file_suffix(part.found->kind);
+    const std::size_t count = part.found->meshes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      auto uri = meshes_.add({shape(part).path, part.old_mesh().uri.value},
+                             count == 1 ? std::string(kind) : fmt::format("{}_{}", kind, i + 1),
+                             stretched(part.found->meshes[i], {1 / s.x, 1 / s.y, 1 / s.z}));
       if (!uri) {
-        part.why = "no URI of the form of " + part.mesh().uri.value + " leads to " + path;
+        part.why = "no URI of the form of " + part.old_mesh().uri.value + " leads to its folder";
         return false;
       }
-      surfaces_[*uri] = std::make_shared<mesh::TriangleMesh>(in_file);
-      bytes_[*uri] = {path, bytes};
       part.uris.push_back(*std::move(uri));
     }
     return true;
-  }
-
-  /// A name of no file, or of one with these bytes.
-  std::string free_path(const std::string& folder, const std::string& name,
-                        const std::string& bytes) {
-    for (int i = 1;; ++i) {
-      const std::string numbered = i == 1 ? name : fmt::format("{}_{}", name, i);
-      std::string path = join_path(folder, write::safe_name(numbered) + ".stl");
-      const auto [taken, is_new] = taken_.try_emplace(path, bytes);
-      if (!is_new) {
-        if (taken->second == bytes) return path;
-        continue;
-      }
-      const Disk& disk = edited_.environment.disk;
-      if (disk.kind(path) == PathKind::kMissing ||
-          disk.read(path, bytes.size() + 1).bytes == bytes)  // an earlier run
-        return path;
-      taken->second.clear();
-    }
   }
 
   // --- Self-collisions ---
 
   robot::FindSurface surfaces() {
     return [this, read = robot::surface_finder(reads_)](const robot::Shape& of) {
-      const auto own = surfaces_.find(of.uri);
-      if (own != surfaces_.end()) return robot::FoundSurface{own->second, {}};
+      if (auto own = meshes_.surface(of.uri)) return robot::FoundSurface{std::move(own), {}};
       return read(of);
     };
   }
@@ -321,39 +227,19 @@ class Simplifier {
       notes_.push_back("self-collisions at rest are not checked: " + problem);
       return;
     }
-    const robot::Robot& before = edited_.robot;
-    const robot::CollisionBodies old_bodies(before, surfaces());
-    const robot::CollisionPoses old_poses =
-        old_bodies.placed(body_poses(before, robot::rest_positions(before)));
-    std::vector<bool> has_shape(before.bodies.size());
-    for (std::uint32_t i = 0; i < has_shape.size(); ++i) {
-      has_shape[i] = old_bodies.has_shape(i) ||
-                     std::any_of(parts_.begin(), parts_.end(),
-                                 [i](const auto& part) { return part.body == i && part.is_new(); });
+    std::vector<bool> gets_shape(edited_.robot.bodies.size());
+    for (const Simplification& part : parts_) {
+      if (part.is_new()) gets_shape[part.body] = true;
     }
-    std::set<std::pair<std::uint32_t, std::uint32_t>> adjacent;
-    for (const robot::LinkPair& pair : adjacent_pairs(before, has_shape))
-      adjacent.insert({pair.a, pair.b});
-    const std::size_t all = before.bodies.size();
+    const RestContacts contacts(edited_.robot, surfaces(), std::move(gets_shape));
     for (bool again = true; again;) {
       again = false;
-      const robot::Robot after = law();
-      const robot::CollisionBodies bodies(after, surfaces());
-      const robot::CollisionPoses poses =
-          bodies.placed(body_poses(after, robot::rest_positions(after)));
-      pairs_ = 0;
-      for (std::uint32_t a = 0; a < all; ++a) {
-        for (std::uint32_t b = a + 1; b < all; ++b) {
-          if (!has_shape[a] || !has_shape[b] || adjacent.contains({a, b})) continue;
-          ++pairs_;
-          if (!bodies.collide(a, b, poses) || old_bodies.collide(a, b, old_poses)) continue;
-          again = step_back(a, b) || again;
-        }
-      }
+      for (const auto& [a, b] : contacts.added(law(), surfaces())) again = step_back(a, b) || again;
     }
-    if (pairs_ == 0) return;
-    notes_.push_back(fmt::format(
-        "no new self-collision at rest in {} pairs of links that no joint connects", pairs_));
+    if (contacts.checked() == 0) return;
+    notes_.push_back(
+        fmt::format("no new self-collision at rest in {} pairs of links that no joint connects",
+                    contacts.checked()));
   }
 
   /// The next shape of the list, for what the two links have.
@@ -376,38 +262,11 @@ class Simplifier {
 
   // --- The file ---
 
-  std::string primitive_text(const mesh::Fit& fit) const {
-    const robot::Shape of = shape_of(rounded(fit.shape));
-    const auto number = [&](std::size_t i) { return write::joined({of.numbers[i]}); };
-    const bool urdf = edited_.is_urdf();
-    if (of.kind == "box") {
-      const std::string size = write::joined(of.numbers);
-      return urdf ? "<box size=\"" + size + "\"/>" : "<box>\n  <size>" + size + "</size>\n</box>";
-    }
-    std::string text = urdf ? '<' + of.kind : '<' + of.kind + ">\n";
-    const auto add = [&](const char* name, std::size_t i) {
-      text += urdf ? fmt::format(" {}=\"{}\"", name, number(i))
-                   : fmt::format("  <{0}>{1}</{0}>\n", name, number(i));
-    };
-    add("radius", 0);
-    if (of.numbers.size() > 1) add("length", 1);
-    return text + (urdf ? "/>" : "</" + of.kind + '>');
-  }
-
-  std::string mesh_text(const std::string& uri, const Vector3& scale) const {
-    const std::string factors = write::joined({scale.x, scale.y, scale.z});
-    const bool scaled = scale != Vector3{1, 1, 1};
-    if (edited_.is_urdf()) {
-      return "<mesh filename=\"" + xml::escaped(uri) + '"' +
-             (scaled ? " scale=\"" + factors + '"' : "") + "/>";
-    }
-    return "<mesh>\n  <uri>" + xml::escaped(uri) + "</uri>\n" +
-           (scaled ? "  <scale>" + factors + "</scale>\n" : "") + "</mesh>";
-  }
+  GeometryForm form() const { return edited_.is_urdf() ? GeometryForm::kUrdf : GeometryForm::kSdf; }
 
   void rewrite(Simplification& part) {
     for (const std::string& uri : part.uris) {
-      const NewFile& file = bytes_.at(uri);
+      const NewFile& file = meshes_.of(uri);
       if (std::none_of(files_.begin(), files_.end(),
                        [&](const NewFile& each) { return each.path == file.path; }))
         files_.push_back(file);
@@ -418,14 +277,14 @@ class Simplifier {
     if (part.found->primitive) {
       const mesh::Fit& fit = *part.found->primitive;
       draft_.add(xml::replace_element(document, edited_.element(part.geometry->site),
-                                      primitive_text(fit)));
+                                      primitive_element(readable_primitive(fit.shape), form())));
       draft_.set_pose(*part.pose, element, compose(part.pose->pose.value, fit.pose));
       return;
     }
-    draft_.add({{part.mesh().uri.span, xml::escaped(part.uris.front())}});
+    draft_.add({{part.old_mesh().uri.span, xml::escaped(part.uris.front())}});
     std::string copies;
     for (std::size_t i = 1; i < part.uris.size(); ++i) {
-      std::vector<Edit> edits{{part.mesh().uri.span, xml::escaped(part.uris[i])}};
+      std::vector<Edit> edits{{part.old_mesh().uri.span, xml::escaped(part.uris[i])}};
       if (const auto name = element.attribute("name"))
         edits.push_back({name->value_span(), xml::escaped(piece_name(part, i))});
       copies += std::string(xml::line_end(document, 0)) + xml::indentation(document, element) +
@@ -470,9 +329,10 @@ class Simplifier {
     }
     const std::size_t count = std::max<std::size_t>(part.uris.size(), 1);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string text = part.found->primitive
-                                   ? primitive_text(*part.found->primitive)
-                                   : mesh_text(part.uris[i], part.mesh().scale.value);
+      const std::string text =
+          part.found->primitive
+              ? primitive_element(readable_primitive(part.found->primitive->shape), form())
+              : mesh_element(part.uris[i], part.old_mesh().scale.value, form());
       std::string indented;
       for (const char c : text) indented += c == '\n' ? std::string("\n    ") : std::string(1, c);
       const std::string name = piece_name(part, i);
@@ -485,25 +345,14 @@ class Simplifier {
 
   // --- What is told ---
 
-  static std::string what(const Substitute& found) {
-    if (found.primitive) return shape_of(found.primitive->shape).kind;
-    switch (found.kind) {
-      case SubstituteKind::kHull: return "convex hull";
-      case SubstituteKind::kPieces: return fmt::format("{} convex pieces", found.meshes.size());
-      default: return "reduced mesh";
-    }
-  }
-
-  std::string note(const Simplification& part) const {
-    if (!part.found) return fmt::format("{}: left: {}", part.name, part.why);
-    const Substitute& found = *part.found;
-    const std::string triangles =
-        found.primitive ? fmt::format("{} triangles", part.triangles)
-                        : fmt::format("{} of {} triangles", found.triangles, part.triangles);
-    return fmt::format("{}: {} for {}: {:.3g} m off ({:.2g} % of the link), volume {:+.2g} %{}",
-                       part.name, what(found), triangles, found.hausdorff,
-                       100 * found.hausdorff / part.link_size, 100 * found.volume_error,
-                       found.of_hull ? " of its hull's, as it is open" : "");
+  /// Each with its reason, up to some.
+  std::string none_simpler() const {
+    constexpr std::size_t kMaxNamed = 8;
+    std::string text = fmt::format("none of {} collisions gets a simpler shape: ", parts_.size());
+    for (std::size_t i = 0; i < std::min(parts_.size(), kMaxNamed); ++i)
+      text += (i == 0 ? "" : "; ") + note(parts_[i]);
+    if (parts_.size() > kMaxNamed) text += fmt::format("; and {} more", parts_.size() - kMaxNamed);
+    return text;
   }
 
   void say_masses() {
@@ -533,7 +382,7 @@ class Simplifier {
         each.color.reset();
         each.name = piece_name(*part, i);
         if (part->found->primitive) {
-          each.shape = shape_of(rounded(part->found->primitive->shape));
+          each.shape = primitive_shape(readable_primitive(part->found->primitive->shape));
           each.X_BS = compose(old.X_BS, part->found->primitive->pose);
         } else {
           each.shape.uri = part->uris[i];
@@ -552,17 +401,14 @@ class Simplifier {
   const model::Root& root_;
   const SimplifyRequest& request_;
   mass::MeshReads reads_;
+  MeshFiles meshes_;
   Draft draft_;
   std::vector<Simplification> parts_;
   std::map<std::tuple<std::string, std::vector<double>, double, int>,
            std::shared_ptr<const Substitute>>
       known_;
-  std::map<std::string, std::shared_ptr<const mesh::TriangleMesh>> surfaces_;  // by URI
-  std::map<std::string, NewFile> bytes_;                                       // by URI
-  std::map<std::string, std::string> taken_;  // bytes by path; empty ones are others'
   std::vector<NewFile> files_;
   std::vector<std::string> notes_;
-  std::size_t pairs_ = 0;
 };
 
 }  // namespace

@@ -1,0 +1,20 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A coarse mesh nearer to the surface that it stands for. A reduced mesh has corners of the original alone, so it lies
+// inside of what bulges and outside of what is hollow; with corners beside the surface the same triangles are about
+// half as far off.
+//
+//   TriangleMesh near = fitted(reduce(mesh, {.triangles = 100}).mesh, mesh);
+
+#pragma once
+
+#include <rigor/mesh/triangle_mesh.h>
+
+namespace rigor::mesh {
+
+/// The same triangles with corners moved; as it is where no move that was tried brings it nearer. Positions in one place
+/// are to be one.
+TriangleMesh fitted(TriangleMesh coarse, const TriangleMesh& fine);
+
+}  // namespace rigor::mesh
