@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <rigor/author/verbs/attach.h>
 #include <rigor/author/verbs/draft.h>
@@ -18,6 +20,7 @@
 #include <rigor/text/path.h>
 
 #include "author/verbs/verb_bench.h"
+#include "support/official_parser.h"
 #include "support/part.h"
 
 namespace rigor::author {
@@ -89,9 +92,48 @@ void expect_composed(const robot::Robot& arm, const robot::Robot& hand, const ro
   }
 }
 
+/// Holds results against the parsers of the format that are installed.
+class PairJudge {
+ public:
+  PairJudge() {
+    for (const char* parser : test::kOfficialParsers) {
+      if (test::is_installed(parser))
+        judged_[parser];
+      else
+        std::printf("%s is not installed: it judges no pair\n", parser);
+    }
+  }
+
+  /// What a parser took of both parts it takes of the whole.
+  void expect_accepted(const EditedModel& arm, const EditedModel& hand, const std::string& whole) {
+    for (auto& [parser, judged] : judged_) {
+      if (!accepts(parser, arm) || !accepts(parser, hand)) continue;
+      ++judged;
+      EXPECT_TRUE(test::accepts(parser, whole, "whole.urdf")) << parser;
+    }
+  }
+
+  void print() const {
+    for (const auto& [parser, judged] : judged_)
+      std::printf("%s accepts both parts of %zu pairs\n", parser.c_str(), judged);
+  }
+
+ private:
+  bool accepts(const std::string& parser, const EditedModel& part) {
+    const auto [known, is_new] = known_.try_emplace({parser, part.path()});
+    if (is_new)
+      known->second = test::accepts(parser, std::string(part.document().bytes()), "part.urdf");
+    return known->second;
+  }
+
+  std::map<std::string, std::size_t> judged_;                  // by parser
+  std::map<std::pair<std::string, std::string>, bool> known_;  // by parser and path
+};
+
 TEST(AttachCorpus, ThirtyPairs) {
   RIGOR_NEEDS_CORPUS();
   const RealDisk disk;
+  PairJudge judge;
   std::size_t pairs = 0;
   for (const RealArm& arm_file : kRealArms) {
     for (const char* hand_file : kRealHands) {
@@ -122,6 +164,7 @@ TEST(AttachCorpus, ThirtyPairs) {
         parts[rule] += count;
       for (const auto& [rule, count] : errors_in(bench, arm_path, proven.files.front().text))
         EXPECT_LE(count, parts[rule]) << rule;
+      judge.expect_accepted(arm, hand, proven.files.front().text);
       const auto root =
           std::find_if(hand.robot.bodies.begin(), hand.robot.bodies.end(),
                        [](const robot::Body& each) { return each.carrier == robot::kNoIndex; });
@@ -131,6 +174,7 @@ TEST(AttachCorpus, ThirtyPairs) {
       EXPECT_EQ(VerbBench::words(differences_at_rounding(arm.robot, without.after->robot)), "");
     }
   }
+  judge.print();
   EXPECT_GE(pairs, test::part_of(30));
 }
 
