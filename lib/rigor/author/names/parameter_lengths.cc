@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 12> kLengthWords{
     "radius", "radii",  "diameter", "separation", "distance",   "length",
     "width",  "height", "offset",   "wheelbase",  "wheel_base", "track"};
 /// A factor of a length is none.
-constexpr std::array<std::string_view, 2> kFactorWords{"multiplier", "ratio"};
+constexpr std::array<std::string_view, 2> kFactorWords{"multiplier", "_ratio"};
 
 template <std::size_t N>
 bool holds_word(const std::string& name, const std::array<std::string_view, N>& words) {

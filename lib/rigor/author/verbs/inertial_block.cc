@@ -3,6 +3,8 @@
 
 #include <rigor/author/verbs/inertial_block.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -12,6 +14,7 @@
 
 #include <rigor/author/verbs/block.h>
 #include <rigor/schema/value.h>
+#include <rigor/write/numbers.h>
 #include <rigor/xml/edit.h>
 
 namespace rigor::author {
@@ -44,15 +47,20 @@ void set_inertial(Draft& draft, const EditedModel& edited, const model::Link& li
   const std::tuple<const char*, const model::Field<double>*, double> entries[] = {
       {"ixx", &inertial.ixx, I.ixx}, {"ixy", &inertial.ixy, I.ixy}, {"ixz", &inertial.ixz, I.ixz},
       {"iyy", &inertial.iyy, I.iyy}, {"iyz", &inertial.iyz, I.iyz}, {"izz", &inertial.izz, I.izz}};
+  const double size = std::max({std::abs(I.ixx), std::abs(I.iyy), std::abs(I.izz)});
   std::string missing;
   for (const auto& [name, field, value] : entries) {
     if (field->written) {
       draft.set(*field, value);
-    } else if (value != field->value && urdf) {
-      draft.set_attribute(tensor, name, schema::to_shortest(value));
-    } else if (value != field->value) {
+      continue;
+    }
+    const double settled = size > 0 ? write::settled(value, field->value, size) : value;
+    if (settled == field->value) continue;
+    if (urdf) {
+      draft.set_attribute(tensor, name, schema::to_shortest(settled));
+    } else {
       missing += (missing.empty() ? "" : "\n") +
-                 fmt::format("<{0}>{1}</{0}>", name, schema::to_shortest(value));
+                 fmt::format("<{0}>{1}</{0}>", name, schema::to_shortest(settled));
     }
   }
   if (!missing.empty()) draft.insert(tensor, last_child_of(tensor), missing);
