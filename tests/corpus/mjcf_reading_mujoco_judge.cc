@@ -437,11 +437,24 @@ bool has_error(const std::string& file, const Environment& environment) {
   return !result.unusable.empty();
 }
 
+/// What says nothing of the file as a model: MuJoCo's Python package brings the plugins that its npm package lacks;
+/// that one, of 32 bits, cannot read ASCII files of GMSH 2.2 (it seeks back by an unsigned size); and a part with
+/// the root <mujocoinclude> claims to be no model.
+bool is_of_the_judge(const std::string& error) {
+  const auto has = [&](const char* text) { return error.find(text) != std::string::npos; };
+  return (has("plugin ") && has(" not found")) || has("Error reading Nodes header") ||
+         has("'mujocoinclude'");
+}
+
 struct Tally {
-  int loaded = 0, same = 0, expanded = 0, refused = 0, errors = 0;
+  int loaded = 0, same = 0, expanded = 0, refused = 0, errors = 0, excused = 0, false_errors = 0;
 
   void add(const Compiled& theirs, const Environment& environment) {
     const std::string shown = theirs.file.substr(corpus().string().size() + 1);
+    if (is_of_the_judge(theirs.error)) {
+      ++excused;
+      return;
+    }
     if (!theirs.error.empty()) {
       ++refused;
       if (has_error(theirs.file, environment)) {
@@ -452,6 +465,10 @@ struct Tally {
         std::printf("NOT REFUSED %s: %s\n", shown.c_str(), why.c_str());
       }
       return;
+    }
+    if (has_error(theirs.file, environment)) {
+      ++false_errors;
+      std::printf("FALSE ERROR %s\n", shown.c_str());
     }
     std::fflush(stdout);
     Comparison comparison(theirs, environment);
@@ -470,10 +487,13 @@ struct Tally {
 
   void expect() const {
     std::printf(
-        "%d of %d the same, %d left out for composite or flexcomp; %d of %d refused get an error\n",
-        same, loaded, expanded, errors, refused);
+        "%d of %d the same, %d left out for composite or flexcomp; %d of %d refused get an error, "
+        "%d are "
+        "refused for what the judge lacks or as parts\n",
+        same, loaded, expanded, errors, refused, excused);
     EXPECT_GE(same, 0.98 * loaded);
     EXPECT_GE(errors, 0.95 * refused);
+    EXPECT_EQ(false_errors, 0);
   }
 };
 

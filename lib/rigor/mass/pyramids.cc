@@ -53,8 +53,12 @@ PolyhedronMoments about_apex(const mesh::TriangleMesh& mesh, const Vector3& apex
 std::optional<PolyhedronMoments> pyramids_of(const mesh::TriangleMesh& mesh) {
   const auto middle = middle_of_surface(mesh);
   if (!middle) return std::nullopt;
-  const PolyhedronMoments moments = about_apex(mesh, *middle);
-  if (!(moments.volume > 0)) return std::nullopt;
+  const PolyhedronMoments from_middle = about_apex(mesh, *middle);
+  if (!(from_middle.volume > 0)) return std::nullopt;
+  // MuJoCo moves the mesh to this center of mass, and weighs pyramids from there without moving it again.
+  const Vector3 com = *middle + 1 / from_middle.volume * from_middle.first;
+  PolyhedronMoments moments = about_apex(mesh, com);
+  moments.first = {};
   return moments;
 }
 

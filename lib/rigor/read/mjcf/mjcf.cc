@@ -66,6 +66,8 @@ class MjcfReader {
     check_mjcf_references(scope, names, facts_);
     check_mjcf_numbers(scope, facts_);
     check_mjcf_assets(scope, workspace_.disk(), facts_);
+    check_mjcf_flexes(scope, workspace_.disk(), facts_);
+    check_mjcf_plugins(scope, facts_);
     check_mjcf_bodies(scope, facts_);
     check_mjcf_contacts(scope, facts_);
     check_mjcf_actuators(scope, facts_);
@@ -383,6 +385,9 @@ class MjcfReader {
     MjcfFacts of_its_own;  // told when that file is checked
     MjcfScope& scope =
         scopes_.emplace_back(workspace_, *file, place.scope->prefix + prefix, of_its_own);
+    if (place.scope == &scopes_.front()) {
+      check_mjcf_attached(*place.scope, scope, element, facts_);
+    }
     MjcfPlace inside = place;
     inside.scope = &scope;
     inside.class_id = MjcfDefaults::kMain;

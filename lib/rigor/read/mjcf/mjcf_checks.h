@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -28,6 +29,12 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts);
 void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts);
+/// Soft bodies: the files that they are made of, and whether the integrator takes them.
+void check_mjcf_flexes(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts);
+void check_mjcf_plugins(const MjcfScope& scope, MjcfFacts& facts);
+/// Of a model that the element attaches: options that MuJoCo cannot join with those of the file.
+void check_mjcf_attached(const MjcfScope& scope, const MjcfScope& attached, xml::Element element,
+                         MjcfFacts& facts);
 void check_mjcf_bodies(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_contacts(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_actuators(const MjcfScope& scope, MjcfFacts& facts);
@@ -36,6 +43,10 @@ void check_mjcf_keyframes(const MjcfScope& scope, MjcfFacts& facts);
 
 /// The class that an element has: its own, else that of the bodies and frames around it.
 std::size_t mjcf_class_of(const MjcfScope& scope, xml::Element element, std::size_t around);
+
+/// Calls `use(section, element)` for all elements below the root, with the name of the section that they are in.
+void for_each_mjcf_element(const MjcfTree& tree,
+                           const std::function<void(std::string_view, xml::Element)>& use);
 
 /// Calls `use(element, class_id)` for everything in the bodies, outermost first.
 template <class Use>

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
@@ -82,14 +83,6 @@ void walk_elements(const MjcfTree& tree, xml::Element parent, std::string_view s
   }
 }
 
-void walk_elements(const MjcfTree& tree,
-                   const std::function<void(std::string_view, xml::Element)>& use) {
-  for (const xml::Element section : tree.children(tree.root())) {
-    // MuJoCo ignores a body that is no part of the world.
-    if (section.name() != "body") walk_elements(tree, section, section.name(), use);
-  }
-}
-
 std::vector<std::string> names_of_kind(const MjcfNames& names, std::string_view kind) {
   const auto found = names.find(kind);
   if (found == names.end()) return {};
@@ -123,24 +116,46 @@ void check_class(const MjcfScope& scope, xml::Element element, const char* attri
 
 }  // namespace
 
+void for_each_mjcf_element(const MjcfTree& tree,
+                           const std::function<void(std::string_view, xml::Element)>& use) {
+  for (const xml::Element section : tree.children(tree.root())) {
+    // MuJoCo ignores a body that is no part of the world.
+    if (section.name() != "body") walk_elements(tree, section, section.name(), use);
+  }
+}
+
 std::size_t mjcf_class_of(const MjcfScope& scope, xml::Element element, std::size_t around) {
   const auto name = string_field(attribute_text(element, "class"));
   if (!name.written) return around;
   return scope.defaults.find(name.value).value_or(around);
 }
 
+namespace {
+
+bool has_world(const MjcfTree& tree) { return !tree.in_sections("worldbody").empty(); }
+
+/// Of a part of a model that is to be included: the first name that it takes from elsewhere.
+void check_part(const MjcfFact& missing, MjcfFacts& facts) {
+  const bool known = std::any_of(facts.begin(), facts.end(), [](const MjcfFact& fact) {
+    return fact.kind == MjcfFactKind::kPartAlone;
+  });
+  if (known) return;
+  facts.push_back(missing);
+  facts.back().kind = MjcfFactKind::kPartAlone;
+}
+
+}  // namespace
+
 bool makes_names(const MjcfScope& scope) {
   bool makes = false;
-  bool has_world = false;
-  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
+  for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
     const std::string_view tag = element.name();
-    has_world = has_world || section == "worldbody";
     makes = makes || (section == "worldbody" && (tag == "attach" || tag == "composite" ||
                                                  tag == "flexcomp" || tag == "replicate"));
     makes = makes || (section == "asset" && tag == "model");
   });
   // Sensors or actuators without a world are a part of a model, to be included.
-  return makes || !has_world;
+  return makes || !has_world(scope.tree);
 }
 
 MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
@@ -148,7 +163,7 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
   std::map<std::pair<std::string, std::string>, Span> first;
   names["body"].insert("world");
   for (const auto& [name, element] : scope.assets.models) names["model"].insert(name);
-  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
+  for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
     const std::string_view kind = declared_kind(section, element.name());
     if (kind.empty()) return;
     auto name = string_field(attribute_text(element, "name"));
@@ -177,7 +192,25 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
 
 void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts) {
   const bool partial = makes_names(scope);
-  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
+  const bool part = !has_world(scope.tree);
+  const auto check = [&](const model::Field<std::string>& name, std::string_view kind) {
+    if (!name.written || name.value.empty()) return;
+    const auto known = names.find(kind);
+    if (known != names.end() && known->second.contains(name.value)) return;
+    const bool asset = kind == "mesh" || kind == "material" || kind == "texture" ||
+                       kind == "hfield" || kind == "model";
+    const MjcfFact missing{.kind = MjcfFactKind::kReferenceMissing,
+                           .where = name.span,
+                           .name = name.value,
+                           .detail = std::string(kind),
+                           .candidates = names_of_kind(names, kind)};
+    if (!partial || asset) {
+      facts.push_back(missing);
+    } else if (part) {
+      check_part(missing, facts);
+    }
+  };
+  for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
     if (section != "default" || element.name() != "default") {
       check_class(scope, element, "class", facts);
     }
@@ -185,31 +218,12 @@ void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfF
     for (const MjcfReference& one : kMjcfReferences) {
       if (one.section != section) continue;
       if (!one.tag.empty() && one.tag != element.name()) continue;
-      const auto name = string_field(attribute_text(element, one.attribute));
-      if (!name.written || name.value.empty()) continue;
-      const auto kind = names.find(one.kind);
-      if (kind != names.end() && kind->second.contains(name.value)) continue;
-      const bool asset = one.kind == "mesh" || one.kind == "material" || one.kind == "texture" ||
-                         one.kind == "hfield" || one.kind == "model";
-      if (partial && !asset) continue;
-      facts.push_back({.kind = MjcfFactKind::kReferenceMissing,
-                       .where = name.span,
-                       .name = name.value,
-                       .detail = std::string(one.kind),
-                       .candidates = names_of_kind(names, one.kind)});
+      check(string_field(attribute_text(element, one.attribute)), one.kind);
     }
-    if (section != "sensor" || partial) return;
+    if (section != "sensor") return;
     const std::string type = string_field(attribute_text(element, "objtype")).value;
-    const auto name = string_field(attribute_text(element, "objname"));
-    if (!name.written || type.empty()) return;
-    const std::string kind = type == "xbody" ? "body" : type;
-    const auto known = names.find(kind);
-    if (known != names.end() && known->second.contains(name.value)) return;
-    facts.push_back({.kind = MjcfFactKind::kReferenceMissing,
-                     .where = name.span,
-                     .name = name.value,
-                     .detail = kind,
-                     .candidates = names_of_kind(names, kind)});
+    if (type.empty()) return;
+    check(string_field(attribute_text(element, "objname")), type == "xbody" ? "body" : type);
   });
 }
 
@@ -244,6 +258,25 @@ constexpr std::array kNumberCounts{NumberCount{"pos", 3, 3},
                                    NumberCount{"solref", 1, 2},
                                    NumberCount{"solimp", 1, 5},
                                    NumberCount{"mass", 1, 1},
+                                   NumberCount{"armature", 1, 1},
+                                   NumberCount{"frictionloss", 1, 1},
+                                   NumberCount{"contype", 1, 1},
+                                   NumberCount{"conaffinity", 1, 1},
+                                   NumberCount{"condim", 1, 1},
+                                   NumberCount{"margin", 1, 1},
+                                   NumberCount{"dir", 3, 3},
+                                   NumberCount{"ambient", 3, 3},
+                                   NumberCount{"diffuse", 3, 3},
+                                   NumberCount{"attenuation", 3, 3},
+                                   NumberCount{"texrepeat", 2, 2},
+                                   NumberCount{"reflectance", 1, 1},
+                                   NumberCount{"shininess", 1, 1},
+                                   NumberCount{"emission", 1, 1},
+                                   NumberCount{"rgb1", 3, 3},
+                                   NumberCount{"rgb2", 3, 3},
+                                   NumberCount{"nrow", 1, 1},
+                                   NumberCount{"ncol", 1, 1},
+                                   NumberCount{"coef", 1, 1},
                                    NumberCount{"density", 1, 1}};
 
 /// The numbers that an attribute takes; `most` 0 when it takes others, or none are known.
@@ -257,9 +290,26 @@ NumberCount count_of(std::string_view tag, std::string_view attribute) {
     return tag == "joint" ? NumberCount{attribute, 2, 2} : NumberCount{attribute, 0, 0};
   }
   if (attribute == "scale") return {attribute, tag == "mesh" ? 3U : 0U, tag == "mesh" ? 3U : 0U};
-  if (tag == "composite" || tag == "flexcomp" || tag == "plugin" || tag == "config" ||
-      tag == "key" || tag == "option") {
+  if (attribute == "specular") {
+    const std::size_t channels = tag == "light" ? 3 : tag == "material" ? 1 : 0;
+    return {attribute, channels, channels};
+  }
+  if (tag == "composite" || tag == "plugin" || tag == "config" || tag == "key") {
     return {attribute, 0, 0};
+  }
+  if (tag == "option") {
+    const bool vector = attribute == "gravity" || attribute == "wind" || attribute == "magnetic";
+    if (vector) return {attribute, 3, 3};
+    const bool number = attribute == "timestep" || attribute == "iterations" ||
+                        attribute == "tolerance" || attribute == "impratio" ||
+                        attribute == "density" || attribute == "viscosity";
+    return {attribute, number ? 1U : 0U, number ? 1U : 0U};
+  }
+  if (tag == "flexcomp") {
+    if (attribute == "count" || attribute == "spacing") return {attribute, 3, 3};
+    if (attribute == "radius") return {attribute, 1, 1};
+    const bool placed = attribute == "pos" || attribute == "quat" || attribute == "euler";
+    if (!placed) return {attribute, 0, 0};
   }
   for (const NumberCount& one : kNumberCounts) {
     if (one.attribute == attribute) return one;
@@ -276,7 +326,7 @@ std::string wanted_numbers(const NumberCount& count) {
 }  // namespace
 
 void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts) {
-  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
+  for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
     if (section == "custom" || section == "extension" || section == "deformable" ||
         section == "visual") {
       return;
@@ -289,6 +339,8 @@ void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts) {
                     .where = attribute.value_span(),
                     .name = std::string(attribute.name()),
                     .detail = std::string(attribute.value())};
+      // MuJoCo reads an empty attribute as none.
+      if (numbers && numbers->empty()) continue;
       if (numbers && numbers->size() >= count.least && numbers->size() <= count.most) continue;
       if (numbers) {
         fact.kind = MjcfFactKind::kNumbersCount;
