@@ -1,13 +1,12 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// MJCF files of public repositories as URDF and SDF, where RIGOR_MJCF_CORPUS names their folder: what is written
-// is taken by urdfdom and is the same robot. And real SDF and URDF models to MJCF and back.
+// MJCF files of public repositories as URDF and SDF, from the folder `corpus-mjcf` beside RIGOR_CORPUS: what is
+// written is taken by urdfdom and is the same robot. And real SDF and URDF models to MJCF and back.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -29,9 +28,10 @@ namespace {
 using author::Conversion;
 
 std::vector<std::string> mjcf_files() {
-  const char* folder = std::getenv("RIGOR_MJCF_CORPUS");
+  const std::filesystem::path folder = std::filesystem::weakly_canonical(
+      std::filesystem::path(test::corpus()) / ".." / "corpus-mjcf");
   std::vector<std::string> paths;
-  if (folder == nullptr) return paths;
+  if (test::corpus().empty() || !std::filesystem::is_directory(folder)) return paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.path().extension() == ".xml" && test::in_part(entry.path().string())) {
       paths.push_back(entry.path().string());
@@ -98,7 +98,7 @@ std::string proof_against(const Conversion& result) {
 
 TEST(CorpusFromMjcf, ResultsOfRealModelsAreTakenAndAreTheSameRobots) {
   const std::vector<std::string> files = mjcf_files();
-  if (files.empty()) GTEST_SKIP() << "RIGOR_MJCF_CORPUS is not set";
+  if (files.empty()) GTEST_SKIP() << "there is no corpus-mjcf beside the corpus";
   const RealDisk disk;
   const Environment environment(disk, {});
   int models = 0, urdf = 0, sdf = 0;
