@@ -11,6 +11,9 @@
 namespace rigor::read {
 namespace {
 
+/// Far more than a file that is read can hold, and far from where adding to it overflows.
+constexpr long long kMaxGmshTag = 1LL << 40U;
+
 /// The numbers of a section, one after another.
 class GmshNumbers {
  public:
@@ -63,7 +66,8 @@ bool is_count(std::string_view line) {
 std::string problem_22(std::string_view nodes, std::string_view elements) {
   if (!is_count(first_line(nodes))) return "$Nodes does not begin with the number of nodes";
   GmshNumbers points(nodes);
-  const long long count = *points.whole();
+  const long long count = points.whole().value_or(-1);
+  if (count < 0) return "$Nodes has no number of nodes that is read";
   for (long long i = 0; i < count; ++i) {
     if (!points.skip(4))
       return "$Nodes has fewer nodes than the " + std::to_string(count) + " that it announces";
@@ -71,7 +75,8 @@ std::string problem_22(std::string_view nodes, std::string_view elements) {
   if (!is_count(first_line(elements)))
     return "$Elements does not begin with the number of elements";
   GmshNumbers parts(elements);
-  const long long part_count = *parts.whole();
+  const long long part_count = parts.whole().value_or(-1);
+  if (part_count < 0) return "$Elements has no number of elements that is read";
   long long corners = 0;
   for (long long i = 0; i < part_count; ++i) {
     const auto tag = parts.whole();
@@ -123,6 +128,9 @@ std::string problem_41(std::string_view nodes, std::string_view elements) {
            ", where the block has " + std::to_string(node->in_block) + " nodes";
   if (node->dimension < 1 || node->dimension > 3)
     return "its nodes are of no entity of 1, 2 or 3 dimensions";
+  if (node->least_tag < 0 || node->least_tag > kMaxGmshTag) {
+    return "the tag of its first node is out of range";
+  }
   for (long long i = 0; i < node->count; ++i) {
     if (points.whole() != i + node->least_tag)
       return "the tags of its nodes are not one after another";
