@@ -91,7 +91,7 @@ TEST(Simplify, ASdfHullBesideItsMesh) {
   const mesh::Bounds bounds = mesh::bounds_of(hull.mesh.positions);
   EXPECT_NEAR(bounds.max.z, 1, 0.04);
   EXPECT_NEAR(bounds.min.x, -1, 0.04);
-  EXPECT_NEAR(bounds.min.z, 0, 1e-6);
+  EXPECT_NEAR(bounds.min.z, 0, 0.01);  // corners may lie beside the old surface
 }
 
 TEST(Simplify, FromVisuals) {
