@@ -13,9 +13,24 @@ std::string_view trimmed_attribute(xml::Element element, std::string_view name) 
   return attribute ? trimmed(attribute->value()) : std::string_view();
 }
 
-/// Whether a line begins with `f `: MuJoCo makes a flex of the faces.
-bool has_faces(std::string_view obj) {
-  return obj.starts_with("f ") || obj.find("\nf ") != obj.npos || obj.find("\nf\t") != obj.npos;
+/// Whether an OBJ has `f` (faces) or `l` (lines).
+bool has_elements(std::string_view obj, char kind) {
+  const std::string line = std::string("\n") + kind;
+  return (obj.starts_with(kind) && obj.size() > 1 && obj[1] == ' ') ||
+         obj.find(line + ' ') != obj.npos || obj.find(line + '\t') != obj.npos;
+}
+
+/// Dimensions of what the flex is made of; those of a file are not known.
+int dimension_of(xml::Element flex) {
+  const std::string_view type = trimmed_attribute(flex, "type");
+  if (flex.name() == "flexcomp") {
+    if (type == "box" || type == "cylinder" || type == "ellipsoid") return 3;
+    if (type == "square" || type == "disc") return 2;
+    if (type == "circle") return 1;
+  }
+  const auto dim = mjcf_numbers(trimmed_attribute(flex, "dim"));
+  if (dim && dim->size() == 1) return static_cast<int>(dim->front());
+  return type == "gmsh" ? 0 : 2;
 }
 
 void check_flex_file(const MjcfScope& scope, const Disk& disk, xml::Element flex,
@@ -39,7 +54,8 @@ void check_flex_file(const MjcfScope& scope, const Disk& disk, xml::Element flex
   const ReadResult read = disk.read(path, kMaxModelBytes);
   if (!read.bytes) return;
   if (type == "mesh") {
-    if (!has_faces(*read.bytes)) report("has no faces");
+    const bool is_line = dimension_of(flex) == 1 && has_elements(*read.bytes, 'l');
+    if (!is_line && !has_elements(*read.bytes, 'f')) report("has no faces");
     return;
   }
   const std::string problem = gmsh_problem(*read.bytes);
@@ -55,19 +71,6 @@ model::Field<std::string> integrator_of(const MjcfTree& tree) {
     if (text.written) integrator = text;
   }
   return integrator;
-}
-
-/// Dimensions of what the flex is made of; those of a file are not known.
-int dimension_of(xml::Element flex) {
-  const std::string_view type = trimmed_attribute(flex, "type");
-  if (flex.name() == "flexcomp") {
-    if (type == "box" || type == "cylinder" || type == "ellipsoid") return 3;
-    if (type == "square" || type == "disc") return 2;
-    if (type == "circle") return 1;
-  }
-  const auto dim = mjcf_numbers(trimmed_attribute(flex, "dim"));
-  if (dim && dim->size() == 1) return static_cast<int>(dim->front());
-  return type == "gmsh" ? 0 : 2;
 }
 
 bool is_rigid(xml::Element flex) {
