@@ -172,10 +172,12 @@ Degrees degrees_of_freedom(const MjcfScope& scope, xml::Element body, std::size_
     if (tag != "joint" && tag != "freejoint") continue;
     const MjcfValues values =
         scope.defaults.values(child, "joint", mjcf_class_of(scope, child, class_id));
-    const std::string type = tag == "freejoint" ? "free" : values.string("type", "hinge").value;
+    const auto field = values.string("type", "hinge");
+    const std::string_view type = trimmed(field.value);
+    const bool is_free = tag == "freejoint" || type == "free";
     ++found.joints;
-    found.of_body += type == "free" ? 6 : type == "ball" ? 3 : 1;
-    if (type == "free") {
+    found.of_body += is_free ? 6 : type == "ball" ? 3 : 1;
+    if (is_free) {
       found.free = true;
       found.free_at = child.tag_span();
     }
