@@ -213,7 +213,8 @@ inline CorpusVerb set_limit_verb() {
                 return with_limits(
                     after, was.name.value,
                     {.lower = was.axes.front().lower.value, .upper = was.axes.front().upper.value});
-              }};
+              },
+          .least = 190};
 }
 
 inline CorpusVerb lump_verb() {
