@@ -20,8 +20,8 @@ bool has_elements(std::string_view obj, char kind) {
          obj.find(line + ' ') != obj.npos || obj.find(line + '\t') != obj.npos;
 }
 
-/// Dimensions of what the flex is made of; those of a file are not known.
-int dimension_of(xml::Element flex) {
+/// Dimensions of what the flex is made of, as they are written; those of a file are not known.
+double dimension_of(xml::Element flex) {
   const std::string_view type = trimmed_attribute(flex, "type");
   if (flex.name() == "flexcomp") {
     if (type == "box" || type == "cylinder" || type == "ellipsoid") return 3;
@@ -29,7 +29,7 @@ int dimension_of(xml::Element flex) {
     if (type == "circle") return 1;
   }
   const auto dim = mjcf_numbers(trimmed_attribute(flex, "dim"));
-  if (dim && dim->size() == 1) return static_cast<int>(dim->front());
+  if (dim && dim->size() == 1) return dim->front();
   return type == "gmsh" ? 0 : 2;
 }
 
@@ -86,7 +86,7 @@ bool is_elastic(xml::Element flex) {
   const auto young = mjcf_numbers(trimmed_attribute(*elasticity, "young"));
   if (!young || young->empty() || !(young->front() > 0)) return false;
   const std::string_view shell = trimmed_attribute(*elasticity, "elastic2d");
-  const int dimension = dimension_of(flex);
+  const double dimension = dimension_of(flex);
   return dimension == 3 || (dimension == 2 && !shell.empty() && shell != "none");
 }
 
