@@ -26,6 +26,21 @@ const TESTS = [
   ['tilt-table', 'stands on a plane that tilts'],
 ];
 
+/** The exit code of a command that did what it was asked to, and has findings. */
+const FINDINGS = 1;
+
+/** Of the task's process, once it ended. */
+async function exitCode(task: vscode.Task): Promise<number | undefined> {
+  const started = await vscode.tasks.executeTask(task);
+  return new Promise((resolve) => {
+    const listener = vscode.tasks.onDidEndTaskProcess(({ execution, exitCode: code }) => {
+      if (execution !== started) return;
+      listener.dispose();
+      resolve(code);
+    });
+  });
+}
+
 export function offerTasks(program: Program): vscode.Disposable {
   const make = (definition: RigorTask, scope: vscode.WorkspaceFolder | vscode.TaskScope) => {
     const { command, paths = [], options = [] } = definition;
@@ -38,9 +53,10 @@ export function offerTasks(program: Program): vscode.Disposable {
     );
     const name = [command, ...paths.map((path) => path.split('/').at(-1))].join(' ');
     const task = new vscode.Task(definition, scope, name, 'rigor', process, '$rigor');
-    // What validate finds is in the list of problems; of the others the output is the result.
-    const { Always, Silent } = vscode.TaskRevealKind;
-    task.presentationOptions = { reveal: command === 'validate' ? Silent : Always, clear: true };
+    // What validate finds is in the list of problems, which a task that is only silent covers with its terminal once
+    // it ends with findings; of the others the output is the result.
+    const { Always, Never } = vscode.TaskRevealKind;
+    task.presentationOptions = { reveal: command === 'validate' ? Never : Always, clear: true };
     return task;
   };
   const provider: vscode.TaskProvider = {
@@ -56,8 +72,10 @@ export function offerTasks(program: Program): vscode.Disposable {
   };
   const validate = async () => {
     const tasks = await vscode.tasks.fetchTasks({ type: 'rigor' });
-    for (const task of tasks) await vscode.tasks.executeTask(task);
-    await vscode.commands.executeCommand('workbench.panel.markers.view.focus');
+    const codes = await Promise.all(tasks.map(exitCode));
+    const failed = codes.some((code) => code === undefined || code > FINDINGS);
+    const shown = failed ? 'workbench.action.terminal.focus' : 'workbench.panel.markers.view.focus';
+    await vscode.commands.executeCommand(shown);
   };
   const simulate = async (asked?: unknown) => {
     const model = modelAsked(asked);
