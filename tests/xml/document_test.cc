@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
+#include <array>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include "support/corpus.h"
 
@@ -195,6 +197,71 @@ void expect_same(Element ours, const tinyxml2::XMLElement& theirs) {
     child = child->NextSiblingElement();
   }
   ASSERT_EQ(child, nullptr);
+}
+
+/// What tinyxml2 refuses, no consumer reads: then it is never read whole, whether it was asked or not.
+void expect_refused_as_by_tinyxml2(const std::string& text) {
+  tinyxml2::XMLDocument theirs;
+  if (theirs.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return;
+  EXPECT_FALSE(parse(text, {}).complete()) << text;
+}
+
+TEST(Document, RefusesWhatTinyxml2Refuses) {
+  // Of pieces of markup, so that what is whole is not rare.
+  const std::array<std::string_view, 26> pieces{"<a>",
+                                                "</a>",
+                                                "<b c='1'>",
+                                                "</b>",
+                                                "<b/>",
+                                                "<!--",
+                                                "-->",
+                                                "<![CDATA[",
+                                                "]]>",
+                                                "<?xml version='1.0'?>",
+                                                "<?p q?>",
+                                                "<!D>",
+                                                "&lt;",
+                                                "&",
+                                                " ",
+                                                "\n",
+                                                "x",
+                                                "<a ",
+                                                "d=\"2\"",
+                                                "'",
+                                                ">",
+                                                "/",
+                                                "\f",
+                                                "\xc3\xa9",
+                                                "\xef\xbb\xbf",
+                                                std::string_view("\0", 1)};
+  std::mt19937 random(3);
+  int whole = 0;
+  for (int round = 0; round < 60'000; ++round) {
+    std::string text = round % 2 == 0 ? "<a>" : "";
+    for (std::size_t count = random() % 8; count > 0; --count)
+      text += pieces[random() % pieces.size()];
+    if (round % 2 == 0) text += "</a>";
+    expect_refused_as_by_tinyxml2(text);
+    whole += parse(text, {}).complete() ? 1 : 0;
+  }
+  EXPECT_GT(whole, 1000);
+}
+
+TEST(Document, RefusesWhatTinyxml2RefusesOfADamagedModel) {
+  const std::string model = test::read_file(RIGOR_TESTDATA "models/my_robot/model.sdf");
+  std::mt19937 random(4);
+  for (int round = 0; round < 3'000; ++round) {
+    std::string damaged = model;
+    for (std::size_t count = random() % 3 + 1; count > 0; --count) {
+      const std::size_t at = random() % damaged.size();
+      switch (random() % 3) {
+        case 0: damaged[at] = static_cast<char>(random()); break;
+        case 1: damaged.erase(at, random() % 20); break;
+        default: damaged.insert(at, model.substr(random() % model.size(), random() % 20));
+      }
+    }
+    expect_refused_as_by_tinyxml2(damaged);
+  }
 }
 
 TEST(DocumentCorpus, ReadsRealFilesLosslesslyAndAsTinyxml2Does) {

@@ -323,7 +323,8 @@ inline Span Element::lost_text() const {
 
 inline bool Element::cut() const { return document_->elements_[index_].cut; }
 
-/// Reads `bytes`, which must outlive the document. Never fails: what is wrong stands in `faults()`.
+/// Reads `bytes`, which must outlive the document. Never fails: what is wrong stands in `faults()`, and whether tinyxml2
+/// refuses the file, which is asked where the scanner cannot tell.
 Document parse(std::string_view bytes, SourceId source);
 
 /// The same for what rigor wrote itself: tinyxml2 is not asked whether it is well-formed.

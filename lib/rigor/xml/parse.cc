@@ -82,7 +82,7 @@ class Builder {
 
   Document build_judged() {
     walk();
-    if (document_.complete_) ask_the_judge();
+    if (document_.complete_ && doubtful()) ask_the_judge();
     return std::move(document_);
   }
 
@@ -234,6 +234,8 @@ class Builder {
                  !why.empty()) {
         note({FaultKind::kBadDeclaration, span(at_, end), {}, std::move(why)});
       }
+    } else {
+      has_instruction_ = true;
     }
     token(kind, end);
   }
@@ -465,6 +467,10 @@ class Builder {
     }
   }
 
+  /// Whether tinyxml2 may refuse what was read whole. It takes whatever is well-formed, but for an instruction behind
+  /// other nodes, which it takes for a declaration.
+  bool doubtful() const { return !document_.faults_.empty() || has_instruction_; }
+
   void ask_the_judge() {
     const std::optional<Refusal> refusal = tinyxml2_refusal(bytes_);
     if (!refusal) return;
@@ -499,6 +505,7 @@ class Builder {
 
   std::string_view bytes_;
   Document document_;
+  bool has_instruction_ = false;
   bool has_colon_ = false;  // whether a name of the tag at hand has a prefix
   std::uint32_t at_ = 0;
   std::uint32_t open_ = kNone;
