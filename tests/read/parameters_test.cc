@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include <rigor/rules/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/values.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::read {
 namespace {

@@ -126,7 +126,8 @@ TEST(GithubSummary, ListsAllAndKeepsTextText) {
 TEST(GithubSummary, StaysBelowWhatGithubTakes) {
   Found found;
   found.file("a.sdf", "x");
-  for (int i = 0; i < 1500; ++i) found.at("x", {.message = std::to_string(i) + std::string(1000, 'm')});
+  for (int i = 0; i < 1500; ++i)
+    found.at("x", {.message = std::to_string(i) + std::string(1000, 'm')});
   const std::string text = github_summary(found.validation());
   EXPECT_LE(text.size(), 1024U * 1024U);
   EXPECT_GT(text.size(), 900U * 1000U);

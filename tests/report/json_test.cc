@@ -62,7 +62,8 @@ TEST_F(JsonReport, KeysStandInTheOrderOfTheContract) {
             (Names{"path", "kind", "version", "models", "links", "joints"}));
   EXPECT_EQ(keys(json_["diagnostics"][0]),
             (Names{"rule", "category", "severity", "message", "path", "line", "column", "end_line",
-                   "end_column", "subject", "related", "fix", "why", "help", "docs", "places", "origin"}));
+                   "end_column", "subject", "related", "fix", "why", "help", "docs", "places",
+                   "origin"}));
   EXPECT_EQ(keys(json_["diagnostics"][0]["related"][0]),
             (Names{"message", "path", "line", "column", "end_line", "end_column"}));
   EXPECT_EQ(keys(json_["diagnostics"][0]["fix"]), (Names{"title", "applicability", "edits"}));

@@ -135,8 +135,7 @@ TEST(Summary, SaysHowMuchWasChecked) {
   EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings; 1 include skipped");
   EXPECT_EQ(left_out(result), "");
   result.not_looked_at.push_back({"b.sdf.erb", "template: expand it first"});
-  EXPECT_EQ(summary(result),
-            "12 files checked: 1 error, 2 warnings; 1 include and 1 file skipped");
+  EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings; 1 include and 1 file skipped");
   EXPECT_EQ(left_out(result), "skipped: b.sdf.erb: template: expand it first\n");
 }
 

@@ -85,7 +85,8 @@ TEST(ResultsSite, LinksLeadToEveryModelAndRule) {
     sections += texts_after(files.at(fmt::format("models/{}.html", page)), "id=\"m", '"').size();
   EXPECT_EQ(sections, 500U);
   EXPECT_EQ(files.count("models/4.html"), 0U);
-  EXPECT_EQ(texts_after(files.at("rules/1.html"), ".html#m", '"').size(), 167U) << "each third of 500";
+  EXPECT_EQ(texts_after(files.at("rules/1.html"), ".html#m", '"').size(), 167U)
+      << "each third of 500";
   EXPECT_EQ(texts_after(files.at("search/1.html"), "\tmodels/", '/').size(), 500U);
   EXPECT_EQ(files, site_of(path)) << "the same bytes";
 }

@@ -93,7 +93,8 @@ inline void run_program(const std::vector<std::string>& words) {
 
 inline double median(std::vector<double> values) {
   const std::size_t half = values.size() / 2;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half), values.end());
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half),
+                   values.end());
   return values[half];
 }
 

@@ -11,8 +11,8 @@
 namespace rigor::rules {
 namespace {
 
-constexpr std::array<std::string_view, 6> kTargetNames{"gazebo-classic", "gz-sim", "ros", "mujoco",
-                                                       "isaac", "bullet"};
+constexpr std::array<std::string_view, 6> kTargetNames{"gazebo-classic", "gz-sim", "ros",
+                                                       "mujoco",         "isaac",  "bullet"};
 static_assert(kTargetNames.size() == static_cast<std::size_t>(Target::kBullet) + 1);
 
 }  // namespace

@@ -28,9 +28,9 @@
 
 #include <rigor/mass/mass_properties.h>
 #include <rigor/mesh/primitive/primitive_mesh.h>
+#include <rigor/simulate/engine/state.h>
 #include <rigor/simulate/scenario.h>
 #include <rigor/simulate/scene/scene.h>
-#include <rigor/simulate/engine/state.h>
 
 namespace rigor::simulate {
 

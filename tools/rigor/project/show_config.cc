@@ -150,7 +150,8 @@ std::string config_json(const std::string& file, const config::Config& config,
 }  // namespace
 
 void ShowConfigOption::declare(CLI::App& app) {
-  app.add_option("--show-config", file_, "Show the settings for this file and where each comes from, and stop")
+  app.add_option("--show-config", file_,
+                 "Show the settings for this file and where each comes from, and stop")
       ->type_name("FILE");
 }
 

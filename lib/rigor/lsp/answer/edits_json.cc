@@ -58,8 +58,8 @@ Json workspace_edit(const State& state, const Sources& sources, const std::vecto
     for (const Edit& edit : list) by_source[edit.span.source].push_back(edit);
     for (const auto& [source, of_source] : by_source) {
       const LineIndex lines(sources.bytes(source), state.client.encoding);
-      Json& all = by_uri.try_emplace(uri_of_file(state, sources.path(source)), Json::array())
-                      .first->second;
+      Json& all =
+          by_uri.try_emplace(uri_of_file(state, sources.path(source)), Json::array()).first->second;
       for (Json& edit : text_edits(lines, of_source)) {
         if (!annotation.empty()) edit["annotationId"] = annotation;
         all.push_back(std::move(edit));

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <rigor/mass/resolve.h>
-#include <rigor/report/page/json_page.h>
 #include <rigor/model/motion.h>
+#include <rigor/report/page/json_page.h>
 #include <rigor/write/inertial_text.h>
 
 namespace rigor::report {

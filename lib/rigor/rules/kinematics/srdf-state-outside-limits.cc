@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/rule.h>
 #include <rigor/rules/reference/srdf_facts.h>
+#include <rigor/rules/rule.h>
 
 namespace rigor::rules::srdf_state_outside_limits {
 

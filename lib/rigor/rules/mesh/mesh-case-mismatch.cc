@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include <rigor/read/resolver.h>
-#include <rigor/rules/rule.h>
 #include <rigor/rules/package/uri_fix.h>
+#include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_case_mismatch {
 

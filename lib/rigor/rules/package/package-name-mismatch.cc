@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include <rigor/rules/package/own_package.h>
-#include <rigor/rules/rule.h>
 #include <rigor/rules/package/uris.h>
+#include <rigor/rules/rule.h>
 
 namespace rigor::rules::package_name_mismatch {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/rules/rule.h>
 #include <rigor/rules/package/uri_fix.h>
 #include <rigor/rules/package/uris.h>
+#include <rigor/rules/rule.h>
 
 namespace rigor::rules::uri_backslash {
 

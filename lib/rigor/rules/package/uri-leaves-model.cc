@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/rules/rule.h>
 #include <rigor/rules/package/uris.h>
+#include <rigor/rules/rule.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/path.h>
 

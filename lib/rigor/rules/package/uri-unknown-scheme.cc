@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <rigor/rules/edits.h>
-#include <rigor/rules/rule.h>
 #include <rigor/rules/package/uris.h>
+#include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::uri_unknown_scheme {

@@ -16,8 +16,8 @@
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/mesh/read.h>
 #include <rigor/model/frames.h>
-#include <rigor/read/documents.h>
 #include <rigor/process/workers.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
