@@ -4,6 +4,11 @@
 #include <rigor/read/template/installed_path.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <rigor/read/package_manifest.h>
 #include <rigor/text/path.h>
