@@ -34,11 +34,11 @@ TriangleMesh reduced_loosely(const TriangleMesh& mesh, std::uint64_t triangles) 
     points.push_back(
         {static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z)});
   }
-  constexpr float kAnyError = 1;  // of the largest side
+  constexpr float kWholeSide = 1;  // an error as large as the mesh is taken
   const std::size_t target = std::min<std::size_t>(3 * triangles, index.size());
   std::vector<unsigned int> left(index.size());
   left.resize(meshopt_simplifySloppy(left.data(), index.data(), index.size(), points.front().data(),
-                                     points.size(), sizeof(points.front()), target, kAnyError,
+                                     points.size(), sizeof(points.front()), target, kWholeSide,
                                      nullptr));
   std::vector<Triangle> faces;
   for (std::size_t i = 0; i + 2 < left.size(); i += 3)

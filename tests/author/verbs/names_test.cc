@@ -111,6 +111,15 @@ TEST(Remove, ALinkThatCarriesOthersOnlyWithThem) {
   EXPECT_EQ(removed(arm, "base", Subtree::kRemoved, {}).refused, "no link would be left");
 }
 
+TEST(Remove, TheLastLinkOfAModelThatTheWorldHolds) {
+  VerbBench bench({{"valve.sdf",
+                    "<sdf version='1.6'><model name='valve'><link name='wheel'/>"
+                    "<joint name='axle' type='revolute'><parent>world</parent><child>wheel</child>"
+                    "<axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"}});
+  const EditedModel& valve = bench.open("valve.sdf");
+  EXPECT_EQ(removed(valve, "wheel", Subtree::kRefused, {}).refused, "no link would be left");
+}
+
 TEST(Remove, AMimicOfWhatIsRemovedRefusesIt) {
   VerbBench bench({{"arm.urdf", kNamedArm}});
   const EditedModel& arm = bench.open("arm.urdf");

@@ -283,8 +283,11 @@ Change removed(const EditedModel& edited, std::string_view link, Subtree subtree
         fmt::format("link '{}' carries {} others: --subtree removes them, too", link, count - 1));
   }
   kept.flip();
-  if (std::none_of(kept.begin(), kept.end(), [](bool each) { return each; }))
-    return refusal("no link would be left");
+  // The world is a body, too, where a joint holds the model; libsdformat rejects one without a link.
+  bool left = false;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    left = left || (kept[i] && edited.link(edited.robot.bodies[i].name));
+  if (!left) return refusal("no link would be left");
   return Remover(edited, std::move(kept), files).remove();
 }
 
