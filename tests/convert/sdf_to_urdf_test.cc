@@ -241,11 +241,14 @@ TEST(SdfToUrdf, RefusesWhatLeadsNowhere) {
   EXPECT_EQ(include.notes(NoteKind::kUnresolved).size(), 1U);
   const Converted pose("<link name='a'><pose relative_to='gone'>0 0 0 0 0 0</pose></link>");
   EXPECT_FALSE(pose.result.robot);
-  EXPECT_EQ(pose.notes(NoteKind::kUnresolved).size(), 1U);
+  ASSERT_EQ(pose.notes(NoteKind::kUnresolved).size(), 1U);
+  EXPECT_EQ(pose.notes(NoteKind::kUnresolved)[0].written, "gone does not exist");
   const Converted circle(
       "<link name='a'><pose relative_to='f'/></link><frame name='f' attached_to='a'/>");
   EXPECT_FALSE(circle.result.robot);
-  EXPECT_FALSE(circle.notes(NoteKind::kUnresolved).empty());
+  ASSERT_FALSE(circle.notes(NoteKind::kUnresolved).empty());
+  EXPECT_NE(circle.notes(NoteKind::kUnresolved)[0].written.find("is in a cycle"),
+            std::string::npos);
 }
 
 TEST(SdfToUrdf, ChoosesTheModel) {

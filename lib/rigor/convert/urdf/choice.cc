@@ -35,7 +35,7 @@ void add_lost_includes(const model::Root& root, Id<model::Model> scope, Notes& n
     notes.push_back({.kind = NoteKind::kUnresolved,
                      .where = include.uri.written ? include.uri.span : include.site.name,
                      .subject = scope ? model::subject(root, root[scope]) : std::string(),
-                     .written = "include " + include.uri.value});
+                     .written = "include " + include.uri.value + " does not exist"});
   }
 }
 
@@ -50,10 +50,11 @@ bool is_cycle(FrameProblemKind kind) {
 }
 
 Note unresolved(const model::FrameProblem& problem) {
-  return {.kind = NoteKind::kUnresolved,
-          .where = problem.where,
-          .subject = problem.subject,
-          .written = problem.name};
+  return {
+      .kind = NoteKind::kUnresolved,
+      .where = problem.where,
+      .subject = problem.subject,
+      .written = problem.name + (is_cycle(problem.kind) ? " is in a cycle" : " does not exist")};
 }
 
 template <class T>
@@ -61,7 +62,7 @@ Note without_pose(const model::Root& root, const T& entity) {
   return {.kind = NoteKind::kUnresolved,
           .where = entity.site.name,
           .subject = model::subject(root, entity),
-          .written = "the pose"};
+          .written = "it has no pose"};
 }
 
 /// The notes on what has no pose though every name was found: it stands in a cycle, or in a model

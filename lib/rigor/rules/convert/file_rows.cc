@@ -36,7 +36,7 @@ std::span<const Row> file_rows() {
               "models of the world are not converted.",
        .what_to_do = "Keep the world file, and include the robot from it."},
       {.rule = {"convert-unresolved", NoteKind::kUnresolved, Severity::kError},
-       .message = "{written} does not exist: the robot cannot be converted",
+       .message = "{written}: the robot cannot be converted",
        .summary = "a reference or an include does not exist",
        .why = "Where a part of the model cannot be found or placed, any robot that is written "
               "would be another one.",
