@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numeric>
 #include <string>
+
+#include <rigor/text/grouping.h>
 
 #include "convert/from_mjcf_converted.h"
 
@@ -61,6 +64,25 @@ TEST(FromMjcf, SeveralFreeBodiesFloat) {
   EXPECT_EQ(urdf.at("joint", "fly", "@type"), "floating");
   EXPECT_EQ(urdf.at("joint", "fly", "parent/@link"), "world");
   EXPECT_EQ(urdf.against(), Names{});
+}
+
+TEST(FromMjcf, WhatIsLostOfManyElementsIsOneFindingForEachAttribute) {
+  const std::string soft = "<geom size='.1' solref='.02 1' condim='4'/>";
+  const FromMjcf sdf(
+      body("a", soft + body("b", soft, "pos='0 0 1'") + "<light pos='0 0 1'/><light name='sun'/>") +
+          "<light pos='0 0 2'/>" + soft,
+      ResultFormat::kSdf);
+  std::map<std::string, std::size_t> places;  // by the words before ":"
+  const Diagnostics groups = grouped(sdf.result.diagnostics);
+  for (const Diagnostic& group : groups.list()) {
+    if (!group.rule.starts_with("convert-from-mjcf")) continue;
+    places[group.message.substr(0, group.message.find(' '))] += 1 + group.others.size();
+    for (const Diagnostic& other : group.others) EXPECT_FALSE(other.where.nowhere());
+  }
+  EXPECT_EQ(places, (std::map<std::string, std::size_t>{
+                        {"geom/@solref", 3}, {"geom/@condim", 3}, {"body/light", 3}}));
+  EXPECT_EQ(sdf.of_rule("convert-from-mjcf-contact").size(), 6U);
+  EXPECT_EQ(sdf.of_rule("convert-from-mjcf-look").size(), 3U);
 }
 
 TEST(FromMjcf, OneOfSeveralBodiesIsConvertedWhenItIsNamed) {

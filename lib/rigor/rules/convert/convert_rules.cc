@@ -34,6 +34,22 @@ bool lost_several(const convert::Note& note) {
          std::ranges::find(kWithoutElements, note.kind) == std::end(kWithoutElements);
 }
 
+/// Of what MJCF says and the target has no word for: the element, and its attribute, wherever they stand.
+std::string mjcf_cause(const convert::Note& note) {
+  const std::string& written = note.written;
+  switch (note.kind) {
+    // A shape or a body by its kind and name.
+    case convert::NoteKind::kFromMjcfWorld:
+    case convert::NoteKind::kFromMjcfLeftOut: return written.substr(0, written.find(' '));
+    default: break;
+  }
+  const bool path = note.kind >= convert::NoteKind::kFromMjcfBodies &&
+                    note.kind <= convert::NoteKind::kFromMjcfOther;
+  if (!path || note.outcome != convert::Outcome::kLost || !note.instead.empty()) return {};
+  const bool attribute = written.find("/@") != std::string::npos;
+  return attribute ? written : written.substr(written.rfind('/') + 1);
+}
+
 /// What several notes have in common: the package or folder that forty meshes are in, the rule that libsdformat
 /// rejects twelve inertias by, that SDF has no transmissions. Empty where the message says it.
 std::string cause_of(const convert::Note& note) {
@@ -52,7 +68,7 @@ std::string cause_of(const convert::Note& note) {
     // SDF has no such thing, whatever their names.
     case convert::NoteKind::kTransmission:
     case convert::NoteKind::kRos2Control: return note.instead.empty() ? "lost" : "";
-    default: return {};
+    default: return mjcf_cause(note);
   }
 }
 
