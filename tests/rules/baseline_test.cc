@@ -3,6 +3,7 @@
 
 #include <rigor/rules/baseline.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -158,6 +159,28 @@ TEST(Baseline, IsNotStaleWhereTheRunDidNotLook) {
     return path == "/w/b.sdf" ? Selection{.ignore = {kRule}} : Selection{};
   };
   EXPECT_EQ(stale({.selection_for = of_b}), 2U);
+}
+
+TEST(Baseline, OfAFlexIsNotStaleWhereItsFileWasNotOpened) {
+  const auto run = [](const std::string& faces, ValidateOptions options) {
+    const std::string flex = "<flexcomp name='f' type='mesh' file='f.obj' mass='1'/>";
+    return BaselineCheck(
+        {{"/w/a.xml", "<mujoco model='m'><worldbody>" + flex + "</worldbody></mujoco>"},
+         {"/w/f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + faces}},
+        std::move(options));
+  };
+  const Baseline baseline{{{"a.xml", "mjcf-flex-file"}, 1}};
+  ValidateOptions closed{.paths = {"/w/a.xml"}, .meshes = MeshPolicy::kDoNotOpen};
+  const ValidateOptions open{.paths = {"/w/a.xml"}};
+  const auto found = [](const BaselineCheck& check) {
+    const auto& list = check.result.diagnostics.list();
+    return std::ranges::count(list, "mjcf-flex-file", &Diagnostic::rule);
+  };
+  EXPECT_EQ(found(run("", open)), 1);
+  EXPECT_EQ(found(run("", closed)), 0);
+  EXPECT_EQ(found(run("f 1 2 3\n", open)), 0);
+  EXPECT_EQ(run("f 1 2 3\n", closed).with(baseline).stale.size(), 0U);
+  EXPECT_EQ(run("f 1 2 3\n", open).with(baseline).stale.size(), 1U);
 }
 
 TEST(Baseline, OfAFileThatIsCutIsKept) {

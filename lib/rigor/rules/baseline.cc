@@ -128,11 +128,6 @@ class BaselineLines {
   std::map<BaselineKey, std::uint32_t> lines_;
 };
 
-/// What meshes enclose, and what is wrong with them, is known when they were opened.
-bool needs_meshes(const Rule& rule) {
-  return rule.category == Category::kMesh || rule.category == Category::kInertia;
-}
-
 /// Whether a finding says that a file was not read to its end: what is not found there may be there yet.
 bool tells_of_cut_file(const Registry& registry, std::string_view name) {
   const Rule* rule = registry.find(name);

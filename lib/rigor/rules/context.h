@@ -148,6 +148,8 @@ class Context {
   /// What libsdformat makes of a URDF robot. Found once.
   const SdformatRobot& sdformat_robot();
 
+  /// Whether meshes, and other files that are made of triangles, may be opened.
+  bool opens_meshes() const { return inputs_.files != nullptr; }
   /// What the mesh's triangles enclose; null when its file is not found, or meshes are not opened.
   const mass::MeshSurvey* survey(const model::Mesh& mesh);
   /// The link's shapes as solids. Computed once, however many rules ask.

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include <rigor/read/mjcf/mjcf_fact.h>
 #include <rigor/rules/registered.h>
 
 namespace rigor::rules {
@@ -46,6 +47,16 @@ std::string_view to_string(Category category) {
       "convert",  "simulate", "suppression", "xacro",     "assembly", "mjcf"};
   static_assert(kNames.size() == static_cast<std::size_t>(Category::kMjcf) + 1);
   return kNames[static_cast<std::size_t>(category)];
+}
+
+bool needs_meshes(const Rule& rule) {
+  if (rule.category == Category::kMesh || rule.category == Category::kInertia) return true;
+  using Kind = read::MjcfFactKind;
+  return std::any_of(rule.checks.begin(), rule.checks.end(), [](const Check& check) {
+    const auto* const facts = std::get_if<FactCheck<read::MjcfFact, Kind>>(&check);
+    return facts != nullptr && std::find(facts->kinds.begin(), facts->kinds.end(),
+                                         Kind::kFlexSurface) != facts->kinds.end();
+  });
 }
 
 Registry::Registry() {

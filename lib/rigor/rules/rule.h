@@ -210,4 +210,8 @@ struct Rule {
   std::vector<Check> checks;
 };
 
+/// Whether some of what the rule finds is known only when meshes are opened: what they enclose, and what is
+/// wrong with them.
+bool needs_meshes(const Rule& rule);
+
 }  // namespace rigor::rules

@@ -48,7 +48,7 @@ Seen seen_by_validate(const Rule& rule, MeshPolicy meshes) {
   });
   if (of_files) return Seen::kNotAll;
   // These ask what meshes enclose, which cannot be reported of one that is not opened or cannot be read.
-  if (rule.category != Category::kMesh && rule.category != Category::kInertia) return Seen::kAll;
+  if (!needs_meshes(rule)) return Seen::kAll;
   return meshes == MeshPolicy::kOpen ? Seen::kUnlessMeshesAreInDoubt : Seen::kNotAll;
 }
 

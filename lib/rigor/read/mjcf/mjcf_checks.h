@@ -29,7 +29,7 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts);
 void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts);
-/// Soft bodies: the files that they are made of, and whether the integrator takes them.
+/// Soft bodies: the files that they are made of, which are not opened here, and whether the integrator takes them.
 void check_mjcf_flexes(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts);
 void check_mjcf_plugins(const MjcfScope& scope, MjcfFacts& facts);
 /// Of a model that the element attaches: options that MuJoCo cannot join with those of the file.

@@ -52,7 +52,10 @@ enum class MjcfFactKind : std::uint8_t {
   kFitNotMade,           ///< a primitive that is fitted to a mesh: rigor takes the mesh itself
   kGlobalCoordinates,    ///< coordinate="global", which MuJoCo dropped in 2.3.4
   kReplicateCount,       ///< not a positive number, or too many copies
-  kFlexFile,        ///< the file `name` of a flexcomp is none that MuJoCo takes; `detail` says why
+  kFlexFile,             ///< the file `name` of a flexcomp is missing; `detail` says in what way
+  kFlexSurface,     ///< the file `name` of a flexcomp, an OBJ at the path `detail`, must have faces
+  kFlexLines,       ///< the same, and lines do as well
+  kFlexSolid,       ///< the same, and it is one of GMSH
   kFlexIntegrator,  ///< a soft flex and an integrator that cannot: `detail` says which
   kAttachConflict,  ///< `detail` says which option of an attached model conflicts
   kPartAlone,       ///< no worldbody, so that the `detail` called `name` does not exist

@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/read/mjcf/gmsh.h>
 #include <rigor/read/mjcf/mjcf_checks.h>
 #include <rigor/text/path.h>
 
@@ -11,13 +10,6 @@ namespace {
 std::string_view trimmed_attribute(xml::Element element, std::string_view name) {
   const auto attribute = element.attribute(name);
   return attribute ? trimmed(attribute->value()) : std::string_view();
-}
-
-/// Whether an OBJ has `f` (faces) or `l` (lines).
-bool has_elements(std::string_view obj, char kind) {
-  const std::string line = std::string("\n") + kind;
-  return (obj.starts_with(kind) && obj.size() > 1 && obj[1] == ' ') ||
-         obj.find(line + ' ') != obj.npos || obj.find(line + '\t') != obj.npos;
 }
 
 /// Dimensions of what the flex is made of, as they are written; those of a file are not known.
@@ -49,17 +41,13 @@ void check_flex_file(const MjcfScope& scope, const Disk& disk, xml::Element flex
       parent_path(scope.tree.path_of(flex)),
       mjcf_asset_path(scope.tree, scope.settings, flex, scope.settings.mesh_folder, file.value));
   if (disk.kind(path) != PathKind::kFile) return report("does not exist");
-  const bool obj = extension(path) == ".obj";
-  if (type == "mesh" && !obj) return;
-  const ReadResult read = disk.read(path, kMaxModelBytes);
-  if (!read.bytes) return;
-  if (type == "mesh") {
-    const bool is_line = dimension_of(flex) == 1 && has_elements(*read.bytes, 'l');
-    if (!is_line && !has_elements(*read.bytes, 'f')) report("has no faces");
-    return;
-  }
-  const std::string problem = gmsh_problem(*read.bytes);
-  if (!problem.empty()) report("is malformed: " + problem);
+  if (type == "mesh" && extension(path) != ".obj") return;
+  facts.push_back({.kind = type == "gmsh"            ? MjcfFactKind::kFlexSolid
+                           : dimension_of(flex) == 1 ? MjcfFactKind::kFlexLines
+                                                     : MjcfFactKind::kFlexSurface,
+                   .where = file.span,
+                   .name = file.value,
+                   .detail = path});
 }
 
 /// Written last: several `<option>` are one.
