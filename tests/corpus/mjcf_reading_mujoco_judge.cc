@@ -182,6 +182,7 @@ class Comparison {
       const std::string& ours = loaded_.root.links[links_[b]].name.value;
       if (!name.empty() && name != ours) return "body " + ours + ", not " + name;
     }
+    find_aligned();
     for (const auto& step :
          {&Comparison::joints, &Comparison::shapes, &Comparison::masses, &Comparison::motion}) {
       if (std::string found = (this->*step)(); !found.empty()) return found;
@@ -190,6 +191,40 @@ class Comparison {
   }
 
  private:
+  /// MuJoCo may move the frame of a free body to its center of mass and principal axes; rigor leaves it where the
+  /// file has it. Where it is in rigor's is taken from the poses at rest, and held to by shapes and masses.
+  void find_aligned() {
+    X_aligned_.resize(theirs_.bodies.size());
+    for (std::size_t b = 0; b < links_.size(); ++b) {
+      const bool aligned = std::any_of(
+          loaded_.root.joints.begin(), loaded_.root.joints.end(), [&](const model::Joint& joint) {
+            if (joint.type != model::JointType::kFloating) return false;
+            if (joint.child.value != loaded_.root.links[links_[b]].name.value) return false;
+            const std::string_view tag = sources_.bytes(joint.site.tag);
+            return tag.find("align=\"true\"") != tag.npos ||
+                   (compiler_says("alignfree") && tag.find("align=\"false\"") == tag.npos);
+          });
+      if (!aligned) continue;
+      const Pose X_WL = *frames_->pose(model::Id<model::Link>{links_[b]});
+      X_aligned_[b + 1] = compose(inverse(X_WL), pose_of(theirs_, 0, b + 1));
+    }
+  }
+  static Pose pose_of(const Compiled& c, std::size_t k, std::size_t b) {
+    return {vector_at(c.xpos[k], b), quaternion_at(c.xquat[k], b)};
+  }
+  /// Of the body at the k-th positions, its frame being that of the file.
+  Pose their_pose(std::size_t k, std::size_t b) const {
+    return compose(pose_of(theirs_, k, b), inverse(X_aligned_[b]));
+  }
+
+  bool compiler_says(std::string_view setting) const {
+    for (const xml::Element child : loaded_.file->document->root()->children()) {
+      const auto told = child.attribute(setting);
+      if (child.name() == "compiler" && told) return told->value() == "true";
+    }
+    return false;
+  }
+
   std::string joints() {
     for (std::uint32_t i = 0; i < loaded_.root.joints.size(); ++i) {
       if (loaded_.root.joints[i].type != model::JointType::kFixed) joints_.push_back(i);
@@ -229,6 +264,7 @@ class Comparison {
   struct Part {
     const model::Geometry* geometry;
     Pose X_LG;
+    bool only_drawn = false;
     bool taken = false;
   };
   std::vector<Part> parts(std::uint32_t link_index) const {
@@ -243,7 +279,7 @@ class Comparison {
     for (const auto id : link.visuals) {
       const auto& one = loaded_.root[id];
       if (seen.contains({one.site.span.source, one.site.span.begin})) continue;
-      parts.push_back({&one.geometry, one.pose.pose.value});
+      parts.push_back({&one.geometry, one.pose.pose.value, true});
     }
     return parts;
   }
@@ -302,7 +338,7 @@ class Comparison {
       std::vector<Part> ours;
       if (b > 0) ours = parts(links_[b - 1]);
       if (b == 0 && world_) ours = parts(*world_);
-      const Pose X_WL{vector_at(theirs_.xpos[0], b), quaternion_at(theirs_.xquat[0], b)};
+      const Pose X_WL = their_pose(0, b);
       std::size_t count = 0;
       for (std::size_t g = 0; g < theirs_.geom_body.size(); ++g) {
         if (theirs_.geom_body[g] != static_cast<int>(b)) continue;
@@ -317,6 +353,10 @@ class Comparison {
           return "geom " + std::to_string(g) + " of type " + std::to_string(theirs_.geom_type[g]) +
                  " of body " + theirs_.bodies[b];
         }
+      }
+      // What is only drawn is left out; it has its weight all the same.
+      if (compiler_says("discardvisual")) {
+        std::erase_if(ours, [](const Part& part) { return part.only_drawn && !part.taken; });
       }
       if (count != ours.size()) return "geoms of body " + theirs_.bodies[b];
     }
@@ -355,10 +395,12 @@ class Comparison {
         return text;
       }
       if (mass == 0) continue;
-      if (apart(in_link.com, vector_at(theirs_.ipos, b + 1)) > std::max(1e-8, tolerance)) {
+      const Pose& X_LA = X_aligned_[b + 1];
+      if (apart(in_link.com, transform(X_LA, vector_at(theirs_.ipos, b + 1))) >
+          std::max(1e-8, tolerance)) {
         return "center of mass of " + theirs_.bodies[b + 1];
       }
-      const mass::Inertia tensor = full_tensor(theirs_, b + 1);
+      const mass::Inertia tensor = mass::rotated(X_LA.rotation, full_tensor(theirs_, b + 1));
       const mass::Inertia off = in_link.about_com - tensor;
       const double scale = std::max({tensor.ixx, tensor.iyy, tensor.izz, 1e-12});
       for (const double entry : {off.ixx, off.iyy, off.izz, off.ixy, off.ixz, off.iyz}) {
@@ -399,8 +441,7 @@ class Comparison {
       const std::vector<Pose> X_WB = robot::body_poses(robot_, positions);
       for (std::size_t b = 0; b < links_.size(); ++b) {
         const Pose X_WL = compose(X_WB[links_[b]], X_BL[b]);
-        const Vector3 there = vector_at(theirs_.xpos[k], b + 1);
-        const model::Quaternion q = quaternion_at(theirs_.xquat[k], b + 1);
+        const auto& [there, q] = their_pose(k, b + 1);
         const double turned = std::abs(std::abs(X_WL.rotation.w * q.w + X_WL.rotation.x * q.x +
                                                 X_WL.rotation.y * q.y + X_WL.rotation.z * q.z) -
                                        1);
@@ -420,6 +461,7 @@ class Comparison {
   std::optional<model::Frames> frames_;
   robot::Robot robot_;
   std::vector<std::uint32_t> links_, joints_;
+  std::vector<Pose> X_aligned_;  ///< by body of MuJoCo's: its frame in that of the file
   std::optional<std::uint32_t> world_;
 };
 
