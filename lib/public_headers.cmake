@@ -42,6 +42,7 @@ set(rigor_public_headers
   rigor/read/fact.h
   rigor/read/load.h
   rigor/read/mjcf/mjcf_fact.h
+  rigor/read/mjcf/mjcf_includes.h
   rigor/read/model_config.h
   rigor/read/package_manifest.h
   rigor/read/resolver.h

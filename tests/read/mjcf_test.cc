@@ -166,6 +166,15 @@ TEST(Mjcf, LimitsCountWhereTheyAreSaid) {
   EXPECT_TRUE(MjcfFile("<mujoco>" + body).joint("j").axes[0].limit_written);
   const MjcfFile off(R"(<mujoco><compiler autolimits="false"/>)" + body);
   EXPECT_FALSE(off.joint("j").axes[0].limit_written);
+  const auto limited = [](const std::string& attributes) {
+    return MjcfFile("<mujoco><worldbody><body><joint name='j' " + attributes +
+                    "/><geom size='1'/></body></worldbody></mujoco>")
+        .joint("j")
+        .axes[0]
+        .limit_written;
+  };
+  EXPECT_FALSE(limited("range='1 -1'"));                // MuJoCo 3.14 takes it, and limits nothing
+  EXPECT_TRUE(limited("range='1 -1' limited='true'"));  // which it rejects
   EXPECT_TRUE(std::isinf(off.joint("j").axes[0].upper.value));
 }
 

@@ -215,6 +215,10 @@ TEST(Schema, FaultsNameTheLine) {
   EXPECT_EQ(fault_of(head + "    element b number=1\n"), "4: unknown key 'number'");
   EXPECT_EQ(fault_of(head + "    element b wide\n"), "4: 'wide' is not of the form key=value");
   EXPECT_EQ(fault_of(head + "    element b card=2\n"), "4: '2' is not a value for 'card'");
+  for (const std::string count : {"0", "3..1", "..3", "x", "3*3", "1.5", "-1", "*"}) {
+    EXPECT_EQ(fault_of(head + "    attribute b type=int count=" + count + "\n"),
+              "4: '" + count + "' is not a value for 'count'");
+  }
   EXPECT_EQ(fault_of(head + "    element b type=real\n"), "4: 'real' is not a value for 'type'");
   EXPECT_EQ(fault_of(head + "    element b card=1 card=0\n"),
             "4: key 'card' is repeated, or its versions out of order");
@@ -420,6 +424,30 @@ TEST(Type, WordsAndTypesCorrespond) {
   EXPECT_EQ(to_string(Type::kNone), "");
   EXPECT_EQ(parse_type(""), std::nullopt);
   EXPECT_EQ(parse_type("quaternion"), Type::kQuaternion);
+}
+
+TEST(Schema, CountsSayWhatTheyAllow) {
+  const Schema schema = parse_good(
+      "versions 1.0\ndefine root\n  element a card=1\n    attribute none type=int\n"
+      "    attribute three type=double count=3\n    attribute some type=double count=1..3\n"
+      "    attribute any type=double count=2..\n    attribute triples type=double count=3*\n");
+  const Node root = *schema.root("a", Version{0});
+  EXPECT_FALSE(root.attribute("none")->count());
+  const auto allowed = [&](std::string_view name) {
+    std::string numbers;
+    for (std::size_t n = 0; n <= 7; ++n) {
+      if (root.attribute(name)->count()->allows(n)) numbers += std::to_string(n);
+    }
+    return numbers;
+  };
+  EXPECT_EQ(allowed("three"), "3");
+  EXPECT_EQ(allowed("some"), "123");
+  EXPECT_EQ(allowed("any"), "234567");
+  EXPECT_EQ(allowed("triples"), "36");
+  EXPECT_EQ(to_string(*root.attribute("three")->count()), "3 numbers");
+  EXPECT_EQ(to_string(*root.attribute("some")->count()), "1 to 3 numbers");
+  EXPECT_EQ(to_string(*root.attribute("any")->count()), "2 or more numbers");
+  EXPECT_EQ(to_string(*root.attribute("triples")->count()), "a multiple of 3 numbers");
 }
 
 }  // namespace

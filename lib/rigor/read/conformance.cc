@@ -4,11 +4,14 @@
 #include <rigor/read/conformance.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include <rigor/read/mjcf/mjcf_settings.h>
 #include <rigor/read/values.h>
 #include <rigor/text/letter_case.h>
 
@@ -57,7 +60,10 @@ schema::RotationFormat rotation_format(xml::Element element) {
 class SchemaWalk {
  public:
   SchemaWalk(const std::function<void(const SchemaFact&)>& tell, std::string_view root)
-      : tell_(tell), urdf_(root == "robot") {}
+      : tell_(tell), urdf_(root == "robot"), mjcf_(root == "mujoco") {}
+
+  /// Looks through the includes of MJCF, too.
+  void follow(const Included& included) { included_ = &included; }
 
   void element(xml::Element element, const Node& node) {
     if (!element.attributes().empty() || node.requires_attributes()) attributes(element, node);
@@ -133,8 +139,17 @@ class SchemaWalk {
 
   void children(xml::Element element, const Node& node) {
     const std::size_t others = seen_.size();
+    each_child(others, element, node);
+    if (node.requires_children() && !element.cut()) missing_children(others, element, node);
+    seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end());
+  }
+
+  void each_child(std::size_t others, xml::Element element, const Node& node) {
     for (const xml::Element child : element.children()) {
       const std::string_view name = child.name();
+      if (included_ != nullptr && name == "include") {
+        if (const auto part = (*included_)(child)) each_child(others, *part, node);
+      }
       if (const auto known = node.child(name)) {
         repeated(others, child, *known);
         if (known->deprecated_since()) {
@@ -149,8 +164,6 @@ class SchemaWalk {
         unknown_element(child, node);
       }
     }
-    if (node.requires_children() && !element.cut()) missing_children(others, element, node);
-    seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end());
   }
 
   void missing_children(std::size_t others, xml::Element element, const Node& node) {
@@ -230,6 +243,12 @@ class SchemaWalk {
 
   void typed(const Value& given, const Node& node, Type type) {
     const std::string_view text = given.text;
+    if (mjcf_) {
+      if (const auto count = node.count()) {
+        if (!numbers(given, node, *count) || trimmed(text).empty()) return;
+        if (count->most != 1) type = Type::kString;
+      }
+    }
     if (type != Type::kString) {
       const bool pose = type == Type::kPose && !given.attribute;
       const auto format = pose ? rotation_format(given.element) : schema::RotationFormat::kEulerRpy;
@@ -254,11 +273,43 @@ class SchemaWalk {
     const std::string_view value = trimmed(text);
     // What the schema writes as its own default is never out of its own bounds or list.
     const schema::Enumeration list = node.enumeration();
-    if (!list.empty() && !value.empty() && !list.contains(value)) {
+    // MuJoCo takes an empty keyword for an unknown one.
+    if (!list.empty() && (mjcf_ || !value.empty()) && !list.contains(value)) {
       return add(about(Kind::kNotInEnumeration, given, node));
     }
     if (is_number(type) && (node.minimum() || node.maximum()) && outside(value, node)) {
       add(about(Kind::kOutOfRange, given, node));
+    }
+  }
+
+  /// Whether the text is as many numbers as it may be. MuJoCo reads an empty one as none.
+  bool numbers(const Value& given, const Node& node, const schema::Count& count) {
+    const auto list = mjcf_numbers(given.text);
+    const bool whole = node.type() == Type::kInt;
+    if (!list || (whole && !is_list_of_integers(given.text))) {
+      add(about(Kind::kNotNumbers, given, node));
+      return false;
+    }
+    if (list->empty() || count.allows(list->size())) return true;
+    add(about(Kind::kNumberCount, given, node));
+    return false;
+  }
+
+  static bool is_list_of_integers(std::string_view numbers) {
+    const auto is_integer = [](std::string_view word) {
+      if (word.starts_with('+')) word.remove_prefix(1);
+      int value = 0;
+      const char* const end = word.data() + word.size();
+      const auto [stop, error] = std::from_chars(word.data(), end, value);
+      return error == std::errc() && stop == end;
+    };
+    constexpr std::string_view kSpace = " \t\r\n";
+    while (true) {
+      numbers.remove_prefix(std::min(numbers.find_first_not_of(kSpace), numbers.size()));
+      if (numbers.empty()) return true;
+      const std::string_view word = numbers.substr(0, numbers.find_first_of(kSpace));
+      if (!is_integer(word)) return false;
+      numbers.remove_prefix(word.size());
     }
   }
 
@@ -319,14 +370,21 @@ class SchemaWalk {
 
   const std::function<void(const SchemaFact&)>& tell_;
   std::vector<Seen> seen_;  // of the elements that are open, one parent's after the other's
+  const Included* included_ = nullptr;
   bool urdf_;
+  bool mjcf_;
 };
 
 }  // namespace
 
 void check_conformance(const xml::Document& document, const schema::Node& root,
-                       const std::function<void(const SchemaFact&)>& tell) {
-  if (const auto element = document.root()) SchemaWalk(tell, root.name()).element(*element, root);
+                       const std::function<void(const SchemaFact&)>& tell,
+                       const Included& included) {
+  const auto element = document.root();
+  if (!element) return;
+  SchemaWalk walk(tell, root.name());
+  if (included) walk.follow(included);
+  walk.element(*element, root);
 }
 
 void check_conformance(xml::Element element, const schema::Node& node,

@@ -36,6 +36,8 @@ enum class SchemaFactKind : std::uint8_t {
   kMissingElement,      ///< required; `node` is it
   kRepeatedElement,     ///< `related` is the first
   kBadValue,            ///< of an element or attribute: see `value_fault`
+  kNotNumbers,          ///< where the schema has a count of numbers
+  kNumberCount,         ///< too few or too many of them
   kNotInEnumeration,
   kOutOfRange,  ///< below or above the schema's bounds
   kDeprecated,
@@ -60,10 +62,15 @@ struct SchemaFact {
   bool has_sibling(std::string_view name) const;  ///< of `element`, or it itself
 };
 
+/// The root of the file that an `<include>` of MJCF is replaced by; nothing where it leads nowhere.
+using Included = std::function<std::optional<xml::Element>(xml::Element include)>;
+
 /// Gives `tell` the facts in document order: one at a time, since a file may have as many as it has
 /// elements. Of an element that a fatal XML fault cut, nothing is said to be missing.
+/// What MJCF includes is looked at in its place, where `included` finds it.
 void check_conformance(const xml::Document& document, const schema::Node& root,
-                       const std::function<void(const SchemaFact&)>& tell);
+                       const std::function<void(const SchemaFact&)>& tell,
+                       const Included& included = {});
 
 /// The same of one element and what it holds, which the schema has as `node`: SDF in a URDF.
 void check_conformance(xml::Element element, const schema::Node& node,

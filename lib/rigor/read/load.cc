@@ -101,7 +101,8 @@ class FileLoader {
 
   void load_mjcf() {
     loaded_.root.version_text.value = "1.0";
-    read_mjcf(loaded_.root, reader_.workspace, *loaded_.file, loaded_.mjcf_facts);
+    loaded_.mjcf_includes =
+        read_mjcf(loaded_.root, reader_.workspace, *loaded_.file, loaded_.mjcf_facts);
   }
 
   void load_config() {

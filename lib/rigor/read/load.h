@@ -17,6 +17,7 @@
 #include <rigor/read/conformance.h>
 #include <rigor/read/fact.h>
 #include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/read/mjcf/mjcf_includes.h>
 #include <rigor/read/model_config.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -31,6 +32,7 @@ struct Loaded {
   ModelConfig config;  ///< when `root.format` is kModelConfig
   std::vector<ConfigFact> config_facts;
   std::vector<MjcfFact> mjcf_facts;  ///< when `root.format` is kMjcf
+  MjcfIncludes mjcf_includes;
 };
 
 /// What a reader works with; all of it outlives the reading.

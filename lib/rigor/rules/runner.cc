@@ -229,7 +229,12 @@ class Runner::Walk {
       node = inputs_.schema->root(top->name(), kFirstWithSdf);
     }
     if (!node) return;
-    read::check_conformance(document, *node, [this](const read::SchemaFact& fact) { facts(fact); });
+    const auto included = [this](xml::Element include) {
+      return loaded_.mjcf_includes.root_of(include);
+    };
+    read::check_conformance(
+        document, *node, [this](const read::SchemaFact& fact) { facts(fact); },
+        loaded_.mjcf_includes.empty() ? read::Included() : read::Included(included));
   }
 
   void check_model() {

@@ -16,8 +16,9 @@ namespace {
 
 using Fault = Schema::Fault;
 
-constexpr std::array<std::string_view, 9> kKeyWords = {
-    "card", "type", "default", "min", "max", "enum", "unit", "deprecated", "instead"};  // as in Key
+constexpr std::array<std::string_view, 10> kKeyWords = {"card",       "type",   "count", "default",
+                                                        "min",        "max",    "enum",  "unit",
+                                                        "deprecated", "instead"};  // as in Key
 constexpr std::array<std::string_view, 5> kCardWords = {"0", "1", "*", "+",
                                                         "-1"};  // as in Cardinality
 
@@ -236,6 +237,8 @@ class Parser {
     } else if (facet.key == Key::kType) {
       const std::optional<Type> type = parse_type(facet.value);
       number = type ? std::optional(static_cast<std::uint8_t>(*type)) : std::nullopt;
+    } else if (facet.key == Key::kCount) {
+      return parse_count(facet.value).has_value();
     } else if (facet.key == Key::kDeprecated) {
       const std::optional<int> minor = version_of(facet.value);
       number = minor ? std::optional(static_cast<std::uint8_t>(*minor)) : std::nullopt;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <utility>
 
@@ -103,6 +104,43 @@ Type Node::type() const {
   if (const auto& type = tables_->lines[place_].only_type) return *type;
   const Facet* facet = tables_->facet(place_, declaration_, Key::kType, minor_);
   return facet ? static_cast<Type>(facet->number) : Type::kNone;
+}
+
+std::optional<Count> parse_count(std::string_view text) {
+  const auto number = [](std::string_view digits) -> std::optional<std::size_t> {
+    std::size_t value = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, value);
+    if (error != std::errc() || stop != end || value == 0) return std::nullopt;
+    return value;
+  };
+  if (text.ends_with('*')) {
+    const auto multiple = number(text.substr(0, text.size() - 1));
+    if (!multiple) return std::nullopt;
+    return Count{*multiple, std::nullopt, *multiple};
+  }
+  const std::size_t dots = text.find("..");
+  const auto least = number(text.substr(0, dots));
+  if (!least) return std::nullopt;
+  if (dots == std::string_view::npos) return Count{*least, least};
+  const std::string_view upper = text.substr(dots + 2);
+  if (upper.empty()) return Count{*least};
+  const auto most = number(upper);
+  if (!most || *most < *least) return std::nullopt;
+  return Count{*least, most};
+}
+
+std::string to_string(const Count& count) {
+  const std::string least = std::to_string(count.least);
+  if (count.multiple > 1) return "a multiple of " + least + " numbers";
+  if (!count.most) return count.least == 1 ? "numbers" : least + " or more numbers";
+  if (*count.most != count.least) return least + " to " + std::to_string(*count.most) + " numbers";
+  return least + (count.least == 1 ? " number" : " numbers");
+}
+
+std::optional<Count> Node::count() const {
+  const Facet* facet = tables_->facet(place_, declaration_, Key::kCount, minor_);
+  return facet ? parse_count(facet->value) : std::nullopt;
 }
 
 Cardinality Node::cardinality() const {

@@ -75,6 +75,18 @@ class Enumeration {
   std::string_view text_;  // a|b|c
 };
 
+// How many values of its type an attribute holds, with spaces between.
+struct Count {
+  std::size_t least = 1;
+  std::optional<std::size_t> most;
+  std::size_t multiple = 1;  // and their number is a multiple of this
+
+  bool allows(std::size_t number) const {
+    return number >= least && (!most || number <= *most) && number % multiple == 0;
+  }
+};
+std::string to_string(const Count& count);  // "3 numbers", "1 to 3 numbers"
+
 struct Tables;  // the parsed file; private to schema.cc and parse.cc
 class NodeRange;
 
@@ -87,6 +99,7 @@ class Node {
   Version version() const { return Version{minor_}; }
 
   Type type() const;
+  std::optional<Count> count() const;  // nothing: the type's own number
   Cardinality cardinality() const;
   std::optional<std::string_view> default_value() const;  // may be the empty text
   std::optional<std::string_view> minimum() const;        // inclusive

@@ -28,6 +28,7 @@ constexpr VersionSet only(int minor) { return VersionSet{1} << minor; }
 enum class Key : std::uint8_t {
   kCard,
   kType,
+  kCount,
   kDefault,
   kMin,
   kMax,
@@ -90,6 +91,9 @@ struct Tables {
   // The facet as it is in a version: what the place says, else what the declaration says.
   const Facet* facet(std::uint32_t place, std::uint32_t declaration, Key key, int minor) const;
 };
+
+/// Nothing for what is not of the form 3, 1..3, 1.. or 3*.
+std::optional<Count> parse_count(std::string_view text);
 
 std::variant<Tables, Schema::Fault> parse_tables(std::string_view text);
 

@@ -57,6 +57,8 @@ std::string schema_text(const schema::Node& node) {
   std::string text = fmt::format("**{}**", node.name());
   if (!schema::to_string(node.type()).empty())
     text += fmt::format(" `{}`", schema::to_string(node.type()));
+  if (const auto count = node.count(); count && count->most != 1)
+    text += fmt::format(", {}", schema::to_string(*count));
   if (!node.unit().empty()) text += fmt::format(" in {}", node.unit());
   if (!node.doc().empty()) text += fmt::format("\n\n{}", node.doc());
   std::string facts;

@@ -42,7 +42,7 @@ class MjcfReader {
   MjcfReader(model::Root& root, Workspace& workspace, MjcfFacts& facts, Id<model::Model> id)
       : root_(root), workspace_(workspace), facts_(facts), model_(id) {}
 
-  void read(const File& file) {
+  MjcfIncludes read(const File& file) {
     MjcfScope& scope = scopes_.emplace_back(workspace_, file, "", facts_);
     root_.mass_settings = scope.settings.masses;
     std::vector<xml::Element> worlds;
@@ -58,13 +58,14 @@ class MjcfReader {
     for (const xml::Element world : worlds) read_bodies(world, place);
     for (const MjcfScope& one : scopes_) read_mjcf_couplings(one, joints_, root_);
     check(scope);
+    return scope.tree.includes();
   }
 
  private:
   void check(const MjcfScope& scope) {
     const MjcfNames names = check_mjcf_names(scope, facts_);
     check_mjcf_references(scope, names, facts_);
-    check_mjcf_numbers(scope, facts_);
+    check_mjcf_elements(scope, facts_);
     check_mjcf_assets(scope, workspace_.disk(), facts_);
     check_mjcf_flexes(scope, workspace_.disk(), facts_);
     check_mjcf_plugins(scope, facts_);
@@ -450,8 +451,8 @@ class MjcfReader {
 
 }  // namespace
 
-Id<model::Model> read_mjcf(model::Root& root, Workspace& workspace, const File& file,
-                           MjcfFacts& facts) {
+MjcfIncludes read_mjcf(model::Root& root, Workspace& workspace, const File& file,
+                       MjcfFacts& facts) {
   const Id<model::Model> id = next_id(root.models);
   const xml::Element top = *file.document->root();
   model::Model model;
@@ -460,9 +461,9 @@ Id<model::Model> read_mjcf(model::Root& root, Workspace& workspace, const File& 
   model.name = string_field(attribute_text(top, "model"), "MuJoCo Model");
   root.models.push_back(std::move(model));
   MjcfReader reader(root, workspace, facts, id);
-  reader.read(file);
+  MjcfIncludes includes = reader.read(file);
   reader.add_frames();
-  return id;
+  return includes;
 }
 
 }  // namespace rigor::read

@@ -14,12 +14,12 @@
 
 #include <rigor/model/model.h>
 #include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/read/mjcf/mjcf_includes.h>
 #include <rigor/read/workspace.h>
 
 namespace rigor::read {
 
 /// `file` has a document whose root is `<mujoco>`.
-model::Id<model::Model> read_mjcf(model::Root& root, Workspace& workspace, const File& file,
-                                  MjcfFacts& facts);
+MjcfIncludes read_mjcf(model::Root& root, Workspace& workspace, const File& file, MjcfFacts& facts);
 
 }  // namespace rigor::read

@@ -41,10 +41,14 @@ void check_orientation(xml::Element element, MjcfFacts& facts) {
           {MjcfKind::kOrientationZero, attribute->value_span(), subject_of_mjcf(element), way});
     }
   }
-  // MuJoCo counts quat apart: of the others only one may be there.
-  const bool quat = element.attribute("quat").has_value();
-  if (ways > (quat ? 2U : 1U))
-    facts.push_back({MjcfKind::kOrientationTwice, second, subject_of_mjcf(element)});
+  if (ways > 1) facts.push_back({MjcfKind::kOrientationTwice, second, subject_of_mjcf(element)});
+}
+
+void check_light(const MjcfValues& values, MjcfFacts& facts) {
+  const auto direction = values.vector("dir", {0, 0, -1});
+  if (!direction.written || length(direction.value) > 0) return;
+  facts.push_back(
+      {MjcfKind::kOrientationZero, direction.span, subject_of_mjcf(values.element()), "dir"});
 }
 
 void check_range(const MjcfValues& values, const MjcfSettings& settings, std::string_view range,
@@ -54,7 +58,8 @@ void check_range(const MjcfValues& values, const MjcfSettings& settings, std::st
   const auto mode = values.text(limited);
   const std::string_view value = mode ? trimmed(mode->text) : "auto";
   const std::string subject = subject_of_mjcf(values.element());
-  const bool on = value == "true" || (value == "auto" && settings.auto_limits && text);
+  const bool zero = n.size() == 2 && n[0] == 0 && n[1] == 0;  // MuJoCo's word for none
+  const bool on = value == "true" || (value == "auto" && settings.auto_limits && text && !zero);
   if (value == "true" && !text) {
     facts.push_back({MjcfKind::kLimitedWithoutRange, mode->span, subject, std::string(range)});
   }
@@ -62,7 +67,7 @@ void check_range(const MjcfValues& values, const MjcfSettings& settings, std::st
   if (on && n[0] >= n[1]) {
     facts.push_back({MjcfKind::kRangeInverted, text->span, subject, std::string(range),
                      std::string(trimmed(values.text(range)->text))});
-  } else if (!on && values.own(range) && (n[0] != 0 || n[1] != 0)) {
+  } else if (!on && values.own(range) && !zero) {
     facts.push_back(
         {MjcfKind::kRangeIgnored, text->span, subject, std::string(range),
          value == "false" ? std::string(limited) + "=\"false\"" : "autolimits=\"false\""});
@@ -80,7 +85,7 @@ void check_joint(const MjcfScope& scope, const MjcfValues& values, MjcfFacts& fa
   check_range(values, scope.settings, "actuatorfrcrange", "actuatorfrclimited", facts);
 }
 
-/// How many sizes a geom's type needs, and how many with `fromto`.
+/// How many sizes a shape needs, and how many with `fromto`.
 std::array<std::size_t, 2> sizes_of(std::string_view type) {
   if (type == "sphere") return {1, 1};
   if (type == "capsule" || type == "cylinder") return {2, 1};
@@ -88,23 +93,72 @@ std::array<std::size_t, 2> sizes_of(std::string_view type) {
   return {0, 0};
 }
 
+std::string positive_sizes(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " positive size" : " positive sizes");
+}
+
 void check_geom(const MjcfValues& values, MjcfFacts& facts) {
   const std::string type(trimmed(values.string("type", "sphere").value));
   const xml::Element element = values.element();
-  if ((type == "mesh" || type == "sdf") && values.string("mesh").value.empty()) {
+  const bool of_mesh = type == "mesh" || type == "sdf";
+  if ((of_mesh && values.string("mesh").value.empty()) ||
+      (type == "hfield" && values.string("hfield").value.empty())) {
     facts.push_back(
         {MjcfKind::kMeshMissingName, element.tag_span(), subject_of_mjcf(element), type});
     return;
   }
   if (values.text("mesh")) return;
-  const std::size_t needed = sizes_of(type)[values.text("fromto") ? 1 : 0];
   const std::vector<double> size = values.numbers("size");
+  const auto text = values.text("size");
+  MjcfFact fact{MjcfKind::kSizeMissing, text ? text->span : element.tag_span(),
+                subject_of_mjcf(element), "geom of type " + type};
+  if (type == "plane" && (size.size() < 3 || size[2] <= 0)) {
+    fact.detail = "a positive third size, the spacing of its grid";
+    facts.push_back(std::move(fact));
+    return;
+  }
+  const std::size_t needed = sizes_of(type)[values.text("fromto") ? 1 : 0];
   const std::size_t positive = static_cast<std::size_t>(
       std::find_if(size.begin(), size.end(), [](double s) { return !(s > 0); }) - size.begin());
   if (positive >= needed) return;
-  const auto text = values.text("size");
-  facts.push_back({MjcfKind::kSizeMissing, text ? text->span : element.tag_span(),
-                   subject_of_mjcf(element), type, std::to_string(needed)});
+  fact.detail = positive_sizes(needed);
+  facts.push_back(std::move(fact));
+}
+
+/// Why a geom or site cannot have its type; empty when it can.
+std::string why_not_possible(const MjcfValues& values, const std::string& type) {
+  const bool is_site = values.element().name() == "site";
+  if (is_site && (type == "plane" || type == "hfield")) return "a site of type " + type;
+  const std::vector<double> ends = values.numbers("fromto");
+  if (ends.size() != 6) return {};
+  if (sizes_of(type)[0] < 2) return "fromto and the type " + type;
+  const bool apart = ends[0] != ends[3] || ends[1] != ends[4] || ends[2] != ends[5];
+  return apart ? "" : "the ends of fromto in one place";
+}
+
+void check_shape(const MjcfValues& values, MjcfFacts& facts) {
+  const std::string type(trimmed(values.string("type", "sphere").value));
+  const std::string why = why_not_possible(values, type);
+  if (why.empty()) return;
+  facts.push_back({MjcfKind::kShapeRejected,
+                   values.element().tag_span(),
+                   subject_of_mjcf(values.element()),
+                   {},
+                   why});
+}
+
+/// A site has 0.005 for each size that is not written.
+void check_site(const MjcfValues& values, MjcfFacts& facts) {
+  const std::string type(trimmed(values.string("type", "sphere").value));
+  const std::size_t needed = sizes_of(type)[values.text("fromto") ? 1 : 0];
+  const std::vector<double> size = values.numbers("size");
+  for (std::size_t i = 0; i < std::min(needed, size.size()); ++i) {
+    if (size[i] > 0) continue;
+    facts.push_back({MjcfKind::kSizeMissing, values.text("size")->span,
+                     subject_of_mjcf(values.element()), "site of type " + type,
+                     positive_sizes(needed)});
+    return;
+  }
 }
 
 /// MuJoCo's tests: positive definite, and two moments together no less than the third.
@@ -185,6 +239,28 @@ Degrees degrees_of_freedom(const MjcfScope& scope, xml::Element body, std::size_
   return found;
 }
 
+/// Where the geoms give the body its mass, none may be negative.
+void check_weights(const MjcfScope& scope, xml::Element body, std::size_t class_id,
+                   MjcfFacts& facts) {
+  using From = MjcfSettings::InertiaFromGeom;
+  if (scope.settings.inertia_from_geom == From::kFalse) return;
+  const std::vector<xml::Element> parts = scope.tree.children(body);
+  const bool given = std::any_of(parts.begin(), parts.end(),
+                                 [](xml::Element part) { return part.name() == "inertial"; });
+  if (given && scope.settings.inertia_from_geom == From::kAuto) return;
+  for (const xml::Element part : parts) {
+    if (part.name() != "geom") continue;
+    const MjcfValues values =
+        scope.defaults.values(part, "geom", mjcf_class_of(scope, part, class_id));
+    for (const char* name : {"mass", "density"}) {
+      const auto weight = values.number(name, 0);
+      if (weight.value >= 0) continue;
+      facts.push_back({MjcfKind::kInertiaRejected, weight.span, subject_of_mjcf(part), name,
+                       std::string("the ") + name + " is negative"});
+    }
+  }
+}
+
 /// Whether anything may give the body mass: an inertial, or a geom that weighs.
 bool may_weigh(const MjcfScope& scope, xml::Element body, std::size_t class_id) {
   using From = MjcfSettings::InertiaFromGeom;
@@ -195,8 +271,12 @@ bool may_weigh(const MjcfScope& scope, xml::Element body, std::size_t class_id) 
       return true;
     }
     if (tag == "inertial" && scope.settings.inertia_from_geom != From::kTrue) {
-      const auto mass = MjcfValues(child, {}).number("mass", 0);
-      return mass.value >= kSmallest;
+      const MjcfValues values(child, {});
+      const std::vector<double> moments = values.numbers("diaginertia");
+      const bool turns =
+          !values.numbers("fullinertia").empty() ||
+          (moments.size() == 3 && *std::min_element(moments.begin(), moments.end()) >= kSmallest);
+      return values.number("mass", 0).value >= kSmallest && turns;
     }
   }
   if (scope.settings.inertia_from_geom == From::kFalse) return false;
@@ -230,6 +310,7 @@ void check_body(const MjcfScope& scope, xml::Element body, std::size_t class_id,
   std::size_t inside = class_id;
   const auto childclass = string_field(attribute_text(body, "childclass"));
   if (childclass.written) inside = scope.defaults.find(childclass.value).value_or(class_id);
+  check_weights(scope, body, inside, facts);
   const Degrees found = degrees_of_freedom(scope, body, inside);
   auto above = body.parent();
   while (above && (above->name() == "frame" || above->name() == "replicate"))
@@ -269,16 +350,19 @@ void check_mjcf_bodies(const MjcfScope& scope, MjcfFacts& facts) {
     const std::string_view tag = element.name();
     const auto values = [&] { return scope.defaults.values(element, tag, class_id); };
     if (tag == "joint") check_joint(scope, values(), facts);
+    if (tag == "geom" || tag == "site") check_shape(values(), facts);
     if (tag == "geom") check_geom(values(), facts);
+    if (tag == "site") check_site(values(), facts);
     if (tag == "inertial") check_inertial(scope, element, facts);
     if (tag == "body") check_body(scope, element, class_id, facts);
     if (tag == "body" || tag == "geom" || tag == "site" || tag == "camera" || tag == "frame") {
       check_orientation(element, facts);
     }
+    if (tag == "light") check_light(values(), facts);
     if (tag == "replicate") {
       const auto count = MjcfValues(element, {}).number("count", 0);
       if (count.written && count.value < 1) {
-        facts.push_back({MjcfKind::kReplicateCount, count.span, {}, {}, "it is less than 1"});
+        facts.push_back({MjcfKind::kReplicateCount, count.span});
       }
     }
   });

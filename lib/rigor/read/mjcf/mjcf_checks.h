@@ -25,9 +25,11 @@ using MjcfNames = std::map<std::string, std::set<std::string, std::less<>>, std:
 /// Whether names come from other files or recipes, so that what is not here may be there.
 bool makes_names(const MjcfScope& scope);
 
+/// What elements outside the bodies need.
+void check_mjcf_elements(const MjcfScope& scope, MjcfFacts& facts);
+
 MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts);
-void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts);
 /// Soft bodies: the files that they are made of, which are not opened here, and whether the integrator takes them.
 void check_mjcf_flexes(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts);

@@ -25,34 +25,36 @@ enum class MjcfFactKind : std::uint8_t {
   kAssetMissing,         ///< the file `name` of a mesh, height field or texture does not exist
   kMeshEmpty,            ///< the mesh `name` has neither file, vertices nor shape
   kMeshScaleZero,        ///< `name` is the mesh
-  kMeshMissingName,      ///< a geom of type mesh names no mesh
-  kNumbersMalformed,     ///< `name` is the attribute, `detail` its value
-  kNumbersCount,         ///< `name` is the attribute; `detail` what it takes: "3 numbers"
+  kShapeRejected,        ///< a geom or site cannot be what `detail` says
+  kMeshMissingName,      ///< a geom of the type `name` names no mesh or height field
   kRangeInverted,        ///< of the attribute `name`: the first number is not below the second
   kRangeIgnored,         ///< limited="false", or autolimits is off: the range `name` has no effect
   kLimitedWithoutRange,  ///< limited="true" and no range
-  kSizeMissing,          ///< a geom lacks a size, or one is not positive; `detail` says which
-  kOrientationTwice,     ///< more than one of quat, axisangle, xyaxes, zaxis and euler
-  kOrientationZero,      ///< the quaternion or axis `name` has no length
-  kAxisZero,             ///< of a hinge or slide
-  kInertialIncomplete,   ///< no inertia, or both diaginertia and fullinertia; `detail` says which
-  kInertiaRejected,      ///< `detail` says what MuJoCo rejects it for
-  kMassMissing,          ///< a body moves and has neither mass nor inertia
-  kFreeJointNested,      ///< a free joint of a body that is not a child of the world
-  kFreeJointNotAlone,    ///< a free joint beside another joint
-  kTooManyJoints,        ///< more than six degrees of freedom in a body
-  kMocapNotStatic,       ///< a mocap body with joints, or not a child of the world
-  kActuatorNoTarget,     ///< no joint, tendon, site or body
-  kActuatorTwoTargets,   ///< more than one
-  kActuatorNoEffect,     ///< `detail` says why: a gear or gain of zero, a range of no width
-  kNeverTouches,         ///< contype and conaffinity meet no other geom's
-  kKeyframeShort,        ///< the same, with too few: newer versions fill them up
-  kKeyframeSize,         ///< `name` is the attribute; `detail` "7 numbers, 9 expected"
-  kNotExpanded,          ///< composite or flexcomp: rigor does not make its bodies
-  kFitNotMade,           ///< a primitive that is fitted to a mesh: rigor takes the mesh itself
-  kGlobalCoordinates,    ///< coordinate="global", which MuJoCo dropped in 2.3.4
-  kReplicateCount,       ///< not a positive number, or too many copies
-  kFlexFile,             ///< the file `name` of a flexcomp is missing; `detail` says in what way
+  kAttributeMissing,     ///< an element `name` lacks `detail`: "site or camera"
+  kSizeMissing,  ///< the shape `name` lacks a size, or one is not positive; `detail` is what it needs
+  kOrientationTwice,    ///< more than one of quat, axisangle, xyaxes, zaxis and euler
+  kOrientationZero,     ///< the quaternion or axis `name` has no length
+  kAxisZero,            ///< of a hinge or slide
+  kInertialIncomplete,  ///< no inertia, or both diaginertia and fullinertia; `detail` says which
+  kInertiaRejected,     ///< `detail` says what MuJoCo rejects it for
+  kMassMissing,         ///< a body moves and has neither mass nor inertia
+  kFreeJointNested,     ///< a free joint of a body that is not a child of the world
+  kFreeJointNotAlone,   ///< a free joint beside another joint
+  kTooManyJoints,       ///< more than six degrees of freedom in a body
+  kMocapNotStatic,      ///< a mocap body with joints, or not a child of the world
+  kControlRange,        ///< an adhesion or damper, `name`, without a control range from 0 up
+  kTendonPath,          ///< the tendon `name`: `detail` says why it cannot be
+  kActuatorNoTarget,    ///< no joint, tendon, site or body
+  kActuatorTwoTargets,  ///< more than one
+  kActuatorNoEffect,    ///< `detail` says why: a gear or gain of zero, a range of no width
+  kNeverTouches,        ///< contype and conaffinity meet no other geom's
+  kKeyframeShort,       ///< the same, with too few: newer versions fill them up
+  kKeyframeSize,        ///< `name` is the attribute; `detail` "7 numbers, 9 expected"
+  kNotExpanded,         ///< composite or flexcomp: rigor does not make its bodies
+  kFitNotMade,          ///< a primitive that is fitted to a mesh: rigor takes the mesh itself
+  kGlobalCoordinates,   ///< coordinate="global", which MuJoCo dropped in 2.3.4
+  kReplicateCount,      ///< it is less than 1
+  kFlexFile,            ///< the file `name` of a flexcomp is missing; `detail` says in what way
   kFlexSurface,     ///< the file `name` of a flexcomp, an OBJ at the path `detail`, must have faces
   kFlexLines,       ///< the same, and lines do as well
   kFlexSolid,       ///< the same, and it is one of GMSH

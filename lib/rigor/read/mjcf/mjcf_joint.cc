@@ -16,12 +16,15 @@ using model::JointType;
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-/// Whether a range counts: said, or left to be taken from whether there is one.
+/// Whether a range counts: said, or left to be taken from a range that is not inverted.
 bool is_limited(const MjcfValues& values, std::string_view switch_name, std::string_view range,
                 const MjcfSettings& settings) {
   const auto text = values.text(switch_name);
   const std::string_view value = text ? trimmed(text->text) : "auto";
-  if (value == "auto") return settings.auto_limits && values.text(range);
+  if (value == "auto") {
+    const std::vector<double> n = values.numbers(range);
+    return settings.auto_limits && n.size() == 2 && n[0] < n[1];
+  }
   return value == "true";
 }
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <utility>
+#include <optional>
+#include <tuple>
 
 #include <rigor/read/mjcf/mjcf_checks.h>
 #include <rigor/text/path.h>
@@ -48,25 +49,37 @@ constexpr std::array kMjcfReferences{
     MjcfReference{"sensor", "", "tendon", "tendon"},
     MjcfReference{"sensor", "", "site", "site"},
     MjcfReference{"sensor", "", "body", "body"},
+    MjcfReference{"sensor", "", "camera", "camera"},
+    MjcfReference{"sensor", "", "geom1", "geom"},
+    MjcfReference{"sensor", "", "geom2", "geom"},
+    MjcfReference{"sensor", "", "body1", "body"},
+    MjcfReference{"sensor", "", "body2", "body"},
     MjcfReference{"worldbody", "geom", "mesh", "mesh"},
     MjcfReference{"worldbody", "geom", "hfield", "hfield"},
     MjcfReference{"worldbody", "geom", "material", "material"},
     MjcfReference{"worldbody", "site", "material", "material"},
+    MjcfReference{"worldbody", "site", "mesh", "mesh"},
     MjcfReference{"worldbody", "camera", "target", "body"},
     MjcfReference{"worldbody", "light", "target", "body"},
     MjcfReference{"worldbody", "attach", "model", "model"},
     MjcfReference{"asset", "material", "texture", "texture"},
+    MjcfReference{"asset", "bone", "body", "body"},
+    MjcfReference{"asset", "skin", "material", "material"},
+    MjcfReference{"deformable", "bone", "body", "body"},
+    MjcfReference{"deformable", "skin", "material", "material"},
 };
 
 /// What kind of name an element of a section declares; empty for none.
 std::string_view declared_kind(std::string_view section, std::string_view tag) {
   if (section == "worldbody") {
     if (tag == "freejoint") return "joint";
-    for (const std::string_view kind : {"body", "joint", "geom", "site", "camera", "light"}) {
+    for (const std::string_view kind :
+         {"body", "joint", "geom", "site", "camera", "light", "frame"}) {
       if (tag == kind) return kind;
     }
     return {};
   }
+  if (section == "custom" || section == "contact") return tag;
   if (section == "asset") return tag;
   if (section == "actuator" || section == "sensor" || section == "equality") return section;
   if (section == "tendon" && (tag == "spatial" || tag == "fixed")) return section;
@@ -96,13 +109,40 @@ std::string default_name(xml::Element element) {
   return last.substr(0, last.rfind('.'));
 }
 
-/// Copies have names of their own.
-bool is_copied(xml::Element element) {
-  for (auto above = element.parent(); above; above = above->parent()) {
-    if (above->name() == "replicate") return true;
-  }
-  return false;
+/// The innermost `<replicate>` around an element, whose copies have names of their own.
+std::optional<xml::Element> replicate_around(xml::Element element) {
+  auto above = element.parent();
+  while (above && above->name() != "replicate") above = above->parent();
+  return above;
 }
+
+/// Names that attached files, recipes and copies may make.
+class MadeNames {
+ public:
+  explicit MadeNames(const MjcfScope& scope) {
+    for_each_in_bodies(scope, [&](xml::Element element, std::size_t) {
+      const std::string_view tag = element.name();
+      const bool made = tag == "attach" || tag == "composite" || tag == "flexcomp";
+      if (made) prefixes_.push_back(text_of(element, tag == "flexcomp" ? "name" : "prefix"));
+      // A copy's name is that of the original, and more.
+      if (!replicate_around(element)) return;
+      const std::string name = text_of(element, "name");
+      if (!name.empty()) prefixes_.push_back(name);
+    });
+  }
+
+  bool may_hold(std::string_view name) const {
+    return std::any_of(prefixes_.begin(), prefixes_.end(),
+                       [&](const std::string& prefix) { return name.starts_with(prefix); });
+  }
+
+ private:
+  static std::string text_of(xml::Element element, std::string_view attribute) {
+    return string_field(attribute_text(element, attribute)).value;
+  }
+
+  std::vector<std::string> prefixes_;
+};
 
 void check_class(const MjcfScope& scope, xml::Element element, const char* attribute,
                  MjcfFacts& facts) {
@@ -160,7 +200,7 @@ bool makes_names(const MjcfScope& scope) {
 
 MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
   MjcfNames names;
-  std::map<std::pair<std::string, std::string>, Span> first;
+  std::map<std::tuple<std::string, SourceId, std::uint32_t, std::string>, Span> first;
   names["body"].insert("world");
   for (const auto& [name, element] : scope.assets.models) names["model"].insert(name);
   for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
@@ -177,9 +217,13 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
       name.value = default_name(element);
       name.span = element.tag_span();
     }
-    if (name.value.empty() || is_copied(element)) return;
-    names[std::string(kind)].insert(name.value);
-    const auto [known, is_new] = first.try_emplace({std::string(kind), name.value}, name.span);
+    if (name.value.empty()) return;
+    const auto copied = replicate_around(element);
+    if (!copied) names[std::string(kind)].insert(name.value);
+    // Names of copies are apart from those of others.
+    const Span group = copied ? copied->tag_span() : Span();
+    const auto [known, is_new] =
+        first.try_emplace({std::string(kind), group.source, group.begin, name.value}, name.span);
     if (is_new) return;
     facts.push_back({.kind = MjcfFactKind::kNameRepeated,
                      .where = name.span,
@@ -191,7 +235,7 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
 }
 
 void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts) {
-  const bool partial = makes_names(scope);
+  const MadeNames made(scope);
   const bool part = !has_world(scope.tree);
   const auto check = [&](const model::Field<std::string>& name, std::string_view kind) {
     if (!name.written || name.value.empty()) return;
@@ -204,10 +248,10 @@ void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfF
                            .name = name.value,
                            .detail = std::string(kind),
                            .candidates = names_of_kind(names, kind)};
-    if (!partial || asset) {
-      facts.push_back(missing);
-    } else if (part) {
+    if (part && !asset) {
       check_part(missing, facts);
+    } else if (asset || !made.may_hold(name.value)) {
+      facts.push_back(missing);
     }
   };
   for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
@@ -220,134 +264,10 @@ void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfF
       if (!one.tag.empty() && one.tag != element.name()) continue;
       check(string_field(attribute_text(element, one.attribute)), one.kind);
     }
-    if (section != "sensor") return;
+    if (section != "sensor" && section != "custom") return;
     const std::string type = string_field(attribute_text(element, "objtype")).value;
     if (type.empty()) return;
     check(string_field(attribute_text(element, "objname")), type == "xbody" ? "body" : type);
-  });
-}
-
-namespace {
-
-struct NumberCount {
-  std::string_view attribute;
-  std::size_t least, most;
-};
-
-constexpr std::array kNumberCounts{NumberCount{"pos", 3, 3},
-                                   NumberCount{"quat", 4, 4},
-                                   NumberCount{"axisangle", 4, 4},
-                                   NumberCount{"xyaxes", 6, 6},
-                                   NumberCount{"zaxis", 3, 3},
-                                   NumberCount{"euler", 3, 3},
-                                   NumberCount{"fromto", 6, 6},
-                                   NumberCount{"rgba", 4, 4},
-                                   NumberCount{"friction", 1, 3},
-                                   NumberCount{"diaginertia", 3, 3},
-                                   NumberCount{"fullinertia", 6, 6},
-                                   NumberCount{"axis", 3, 3},
-                                   NumberCount{"ctrlrange", 2, 2},
-                                   NumberCount{"forcerange", 2, 2},
-                                   NumberCount{"actrange", 2, 2},
-                                   NumberCount{"gear", 1, 6},
-                                   NumberCount{"polycoef", 1, 5},
-                                   NumberCount{"refpos", 3, 3},
-                                   NumberCount{"refquat", 4, 4},
-                                   NumberCount{"offset", 3, 3},
-                                   NumberCount{"actuatorfrcrange", 2, 2},
-                                   NumberCount{"solref", 1, 2},
-                                   NumberCount{"solimp", 1, 5},
-                                   NumberCount{"mass", 1, 1},
-                                   NumberCount{"armature", 1, 1},
-                                   NumberCount{"frictionloss", 1, 1},
-                                   NumberCount{"contype", 1, 1},
-                                   NumberCount{"conaffinity", 1, 1},
-                                   NumberCount{"condim", 1, 1},
-                                   NumberCount{"margin", 1, 1},
-                                   NumberCount{"dir", 3, 3},
-                                   NumberCount{"ambient", 3, 3},
-                                   NumberCount{"diffuse", 3, 3},
-                                   NumberCount{"attenuation", 3, 3},
-                                   NumberCount{"texrepeat", 2, 2},
-                                   NumberCount{"reflectance", 1, 1},
-                                   NumberCount{"shininess", 1, 1},
-                                   NumberCount{"emission", 1, 1},
-                                   NumberCount{"rgb1", 3, 3},
-                                   NumberCount{"rgb2", 3, 3},
-                                   NumberCount{"nrow", 1, 1},
-                                   NumberCount{"ncol", 1, 1},
-                                   NumberCount{"coef", 1, 1},
-                                   NumberCount{"density", 1, 1}};
-
-/// The numbers that an attribute takes; `most` 0 when it takes others, or none are known.
-NumberCount count_of(std::string_view tag, std::string_view attribute) {
-  if (attribute == "size") {
-    if (tag == "geom" || tag == "site") return {attribute, 1, 3};
-    if (tag == "hfield") return {attribute, 4, 4};
-    return {attribute, 0, 0};
-  }
-  if (attribute == "range") {
-    return tag == "joint" ? NumberCount{attribute, 2, 2} : NumberCount{attribute, 0, 0};
-  }
-  if (attribute == "scale") return {attribute, tag == "mesh" ? 3U : 0U, tag == "mesh" ? 3U : 0U};
-  if (attribute == "specular") {
-    const std::size_t channels = tag == "light" ? 3 : tag == "material" ? 1 : 0;
-    return {attribute, channels, channels};
-  }
-  if (tag == "composite" || tag == "plugin" || tag == "config" || tag == "key") {
-    return {attribute, 0, 0};
-  }
-  if (tag == "option") {
-    const bool vector = attribute == "gravity" || attribute == "wind" || attribute == "magnetic";
-    if (vector) return {attribute, 3, 3};
-    const bool number = attribute == "timestep" || attribute == "iterations" ||
-                        attribute == "tolerance" || attribute == "impratio" ||
-                        attribute == "density" || attribute == "viscosity";
-    return {attribute, number ? 1U : 0U, number ? 1U : 0U};
-  }
-  if (tag == "flexcomp") {
-    if (attribute == "count" || attribute == "spacing") return {attribute, 3, 3};
-    if (attribute == "radius") return {attribute, 1, 1};
-    const bool placed = attribute == "pos" || attribute == "quat" || attribute == "euler";
-    if (!placed) return {attribute, 0, 0};
-  }
-  for (const NumberCount& one : kNumberCounts) {
-    if (one.attribute == attribute) return one;
-  }
-  return {attribute, 0, 0};
-}
-
-std::string wanted_numbers(const NumberCount& count) {
-  const std::string most = std::to_string(count.most);
-  if (count.least == count.most) return most + (count.most == 1 ? " number" : " numbers");
-  return std::to_string(count.least) + " to " + most + " numbers";
-}
-
-}  // namespace
-
-void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts) {
-  for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
-    if (section == "custom" || section == "extension" || section == "deformable" ||
-        section == "visual") {
-      return;
-    }
-    for (const xml::Attribute attribute : element.attributes()) {
-      const NumberCount count = count_of(element.name(), attribute.name());
-      if (count.most == 0) continue;
-      const auto numbers = mjcf_numbers(attribute.value());
-      MjcfFact fact{.kind = MjcfFactKind::kNumbersMalformed,
-                    .where = attribute.value_span(),
-                    .name = std::string(attribute.name()),
-                    .detail = std::string(attribute.value())};
-      // MuJoCo reads an empty attribute as none.
-      if (numbers && numbers->empty()) continue;
-      if (numbers && numbers->size() >= count.least && numbers->size() <= count.most) continue;
-      if (numbers) {
-        fact.kind = MjcfFactKind::kNumbersCount;
-        fact.detail = wanted_numbers(count) + ", not " + std::to_string(numbers->size());
-      }
-      facts.push_back(std::move(fact));
-    }
   });
 }
 

@@ -24,7 +24,7 @@ std::optional<std::vector<double>> mjcf_numbers(std::string_view text) {
     if (*at == '+' && end - at > 1 && at[1] != '-') ++at;
     double number = 0;
     const auto [stop, error] = std::from_chars(at, end, number);
-    if (error == std::errc::invalid_argument || stop == at) return std::nullopt;
+    if (error != std::errc() || stop == at) return std::nullopt;
     numbers.push_back(number);
     at = stop;
     if (at != end && *at != ' ' && *at != '\n' && *at != '\t' && *at != '\r') return std::nullopt;

@@ -43,7 +43,7 @@ void MjcfTree::follow(xml::Element parent, const File& file, MjcfFacts& facts) {
       facts.push_back({MjcfFactKind::kIncludeBroken, name.span, {}, name.value, why});
       continue;
     }
-    included_.emplace(std::pair(child.tag_span().source, child.index()), &inner);
+    includes_.add(child, inner);
     paths_.emplace(inner.source, &inner.path);
     follow(*inner.document->root(), inner, facts);
   }
@@ -55,8 +55,7 @@ void MjcfTree::collect(xml::Element parent, std::vector<xml::Element>& list) con
       list.push_back(child);
       continue;
     }
-    const auto found = included_.find({child.tag_span().source, child.index()});
-    if (found != included_.end()) collect(*found->second->document->root(), list);
+    if (const auto root = includes_.root_of(child)) collect(*root, list);
   }
 }
 
@@ -67,12 +66,10 @@ std::vector<xml::Element> MjcfTree::children(xml::Element parent) const {
 }
 
 std::vector<xml::Element> MjcfTree::children_of_include(xml::Element include) const {
-  const auto found = included_.find({include.tag_span().source, include.index()});
   std::vector<xml::Element> list;
-  if (found == included_.end()) return list;
-  for (const xml::Element child : found->second->document->root()->children()) {
-    list.push_back(child);
-  }
+  const auto root = includes_.root_of(include);
+  if (!root) return list;
+  for (const xml::Element child : root->children()) list.push_back(child);
   return list;
 }
 

@@ -10,17 +10,14 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/read/mjcf/mjcf_includes.h>
 #include <rigor/read/workspace.h>
 #include <rigor/xml/document.h>
 
@@ -42,6 +39,7 @@ class MjcfTree {
   std::vector<xml::Element> children_of_include(xml::Element include) const;
   /// The children of all elements of the root with that name: `<asset>` may be there twice.
   std::vector<xml::Element> in_sections(std::string_view name) const;
+  const MjcfIncludes& includes() const { return includes_; }
   /// The path of the file that an element is in.
   const std::string& path_of(xml::Element element) const;
 
@@ -51,7 +49,7 @@ class MjcfTree {
 
   Workspace& workspace_;
   const File& file_;
-  std::map<std::pair<SourceId, std::uint32_t>, const File*> included_;  // by the <include> element
+  MjcfIncludes includes_;
   std::set<std::string> taken_;
   std::map<SourceId, const std::string*> paths_;
 };

@@ -10,8 +10,7 @@ namespace rigor::rules::mjcf_geom_size {
 
 void check(const read::MjcfFact& fact, Context& context) {
   context.report({.where = fact.where,
-                  .message = "geom of type " + fact.name + " needs " + fact.detail +
-                             " positive size" + (fact.detail == "1" ? "" : "s"),
+                  .message = fact.name + " needs " + fact.detail,
                   .subject = fact.subject});
 }
 
@@ -20,10 +19,11 @@ Rule rule() {
       .name = "mjcf-geom-size",
       .severity = Severity::kError,
       .formats = Formats::kMjcf,
-      .summary = "geom size is missing or not positive",
-      .why = "MuJoCo rejects the file: each size that the type of the geom has must be positive. "
-             "Sizes are radii and half lengths.",
-      .what_to_do = "Write the sizes: radius; radius and half length; three half sides.",
+      .summary = "size is missing or not positive",
+      .why = "MuJoCo rejects the file: each size that the type of a geom or site has must be "
+             "positive, of a plane the third one. Sizes are radii and half lengths.",
+      .what_to_do = "Write the sizes: radius; radius and half length; three half sides; of a plane "
+                    "two half sides, 0 for endless ones, and the spacing of its grid.",
       .checks = {on_mjcf({read::MjcfFactKind::kSizeMissing}, check)},
   };
 }

@@ -10,7 +10,7 @@ namespace rigor::rules::mjcf_mass_missing {
 
 void check(const read::MjcfFact& fact, Context& context) {
   context.report({.where = fact.where,
-                  .message = std::string("the body moves and has neither mass nor inertia"),
+                  .message = std::string("the body moves and lacks mass or inertia"),
                   .subject = fact.subject});
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/read/mjcf/mjcf_fact.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
@@ -18,6 +19,10 @@ void check(const read::SchemaFact& fact, Context& context) {
                              std::string(fact.node->name()) + "'"});
 }
 
+void check_ways(const read::MjcfFact& fact, Context& context) {
+  context.report({.where = fact.where, .message = "<" + fact.name + "> lacks " + fact.detail});
+}
+
 Rule rule() {
   return {
       .name = "mjcf-missing-attribute",
@@ -26,7 +31,8 @@ Rule rule() {
       .summary = "required attribute is missing",
       .why = "MuJoCo rejects the file: the attribute has no default.",
       .what_to_do = "Add the attribute.",
-      .checks = {on_schema({read::SchemaFactKind::kMissingAttribute}, check)},
+      .checks = {on_schema({read::SchemaFactKind::kMissingAttribute}, check),
+                 on_mjcf({read::MjcfFactKind::kAttributeMissing}, check_ways)},
   };
 }
 

@@ -3,13 +3,17 @@
 
 #include <string>
 
-#include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::mjcf_number_count {
 
-void check(const read::MjcfFact& fact, Context& context) {
-  context.report({.where = fact.where, .message = fact.name + " takes " + fact.detail});
+void check(const read::SchemaFact& fact, Context& context) {
+  const std::string takes = to_string(*fact.node->count());
+  context.report({.where = fact.where,
+                  .message = std::string(fact.attribute->name()) + " takes " + takes + ", not " +
+                             std::to_string(read::words_in(fact.text))});
 }
 
 Rule rule() {
@@ -20,7 +24,7 @@ Rule rule() {
       .summary = "too few or too many numbers",
       .why = "MuJoCo rejects the file: it has too few numbers, or more than the attribute takes.",
       .what_to_do = "Write as many numbers as the attribute takes.",
-      .checks = {on_mjcf({read::MjcfFactKind::kNumbersCount}, check)},
+      .checks = {on_schema({read::SchemaFactKind::kNumberCount}, check)},
   };
 }
 

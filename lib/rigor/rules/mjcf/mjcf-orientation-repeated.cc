@@ -20,8 +20,8 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kMjcf,
       .summary = "orientation is written twice",
-      .why = "MuJoCo rejects the file: of axisangle, xyaxes, zaxis and euler an element has one at "
-             "most.",
+      .why = "MuJoCo rejects the file: of quat, axisangle, xyaxes, zaxis and euler an element has "
+             "one at most. Versions of before 3 take a quat beside another.",
       .what_to_do = "Keep the one that is meant.",
       .checks = {on_mjcf({read::MjcfFactKind::kOrientationTwice}, check)},
   };

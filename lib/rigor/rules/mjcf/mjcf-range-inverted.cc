@@ -21,8 +21,9 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kMjcf,
       .summary = "range is inverted or empty",
-      .why = "MuJoCo rejects the file where the range counts: the first number of a range must be "
-             "below the second.",
+      .why =
+          "With limited=\"true\" MuJoCo rejects the file; else it ignores the range, and there is "
+          "no limit. The first number of a range must be below the second.",
       .what_to_do = "Swap the numbers; where none are meant, remove the range.",
       .checks = {on_mjcf({read::MjcfFactKind::kRangeInverted}, check)},
   };

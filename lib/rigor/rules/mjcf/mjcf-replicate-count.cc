@@ -9,16 +9,17 @@
 namespace rigor::rules::mjcf_replicate_count {
 
 void check(const read::MjcfFact& fact, Context& context) {
-  context.report({.where = fact.where, .message = "the number of copies is wrong: " + fact.detail});
+  context.report(
+      {.where = fact.where, .message = "<replicate> makes no copy: its count is below 1"});
 }
 
 Rule rule() {
   return {
       .name = "mjcf-replicate-count",
-      .severity = Severity::kError,
+      .severity = Severity::kWarning,
       .formats = Formats::kMjcf,
       .summary = "number of copies is not positive",
-      .why = "MuJoCo rejects the file: <replicate> makes one copy or more.",
+      .why = "MuJoCo makes no copy: what is inside is no part of the model.",
       .what_to_do = "Write the number of copies.",
       .checks = {on_mjcf({read::MjcfFactKind::kReplicateCount}, check)},
   };
