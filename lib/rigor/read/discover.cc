@@ -18,6 +18,10 @@ namespace {
 /// Folders nest this deep at most, so that the walk is bounded whatever a disk says.
 constexpr int kMaxFolderDepth = 64;
 
+/// So many `.xml` files of such a size are looked into for MJCF, where a folder holds nothing else.
+constexpr std::size_t kMaxXml = 20;
+constexpr std::uint64_t kMaxXmlBytes = 1 << 20;
+
 constexpr std::string_view kTemplate = "template: expand it first";
 constexpr std::string_view kColconMarker = "COLCON_IGNORE";
 
@@ -70,6 +74,7 @@ class FolderWalk {
       file(path);
     } else {
       passed_over_.clear();
+      xml_.clear();
       met_ = 0;
       unlisted_.clear();
       const std::size_t before = found_.unusable.size();
@@ -119,6 +124,7 @@ class FolderWalk {
       const PathKind kind = disk_.kind(inside);
       const bool is_folder = kind == PathKind::kFolder;
       const bool is_semantic = extension(inside) == ".srdf";
+      if (extension(inside) == ".xml" && xml_.size() < kMaxXml) xml_.push_back(inside);
       if (!is_folder && !is_semantic && !is_model(inside) && template_of(inside).empty()) continue;
       if (is_semantic && !is_folder) {
         semantic_file(inside, kind);
@@ -177,7 +183,7 @@ class FolderWalk {
   }
 
   void no_model_in(const std::string& path) {
-    std::string message = path + ": holds no .sdf, .world, .urdf or model.config";
+    std::string message = path + ": holds no .sdf, .world, .urdf, .xacro or model.config";
     if (!unlisted_.empty()) message += " in what can be listed";
     if (!passed_over_.empty()) {
       message += " but in what is left out: " + passed_over_.front().path + " by " +
@@ -186,7 +192,19 @@ class FolderWalk {
         message += ", and " + std::to_string(passed_over_.size() - 1) + " more";
       }
     }
+    if (const std::string mjcf = first_mjcf(); !mjcf.empty()) {
+      message += "; MJCF is checked when it is named: " + mjcf;
+    }
     found_.unusable.push_back(std::move(message));
+  }
+
+  /// Of the `.xml` files in the folder, most of which are something else.
+  std::string first_mjcf() const {
+    for (const std::string& path : xml_) {
+      const ReadResult file = disk_.read(path, kMaxXmlBytes);
+      if (file.bytes && file.bytes->find("<mujoco") != std::string::npos) return path;
+    }
+    return {};
   }
 
   const Disk& disk_;
@@ -195,6 +213,7 @@ class FolderWalk {
   RepositoryIgnores ignores_;
   std::vector<LeftOut> passed_over_;  ///< in the folder that is being walked
   std::vector<LeftOut> unlisted_;     ///< folders in it that nobody can look into
+  std::vector<std::string> xml_;      ///< the first of its files with that ending
   std::size_t met_ = 0;               ///< models and templates in it
   std::set<std::string> seen_;
 };

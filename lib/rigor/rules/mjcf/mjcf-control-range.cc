@@ -9,7 +9,9 @@
 namespace rigor::rules::mjcf_control_range {
 
 void check(const read::MjcfFact& fact, Context& context) {
-  context.report({.where = fact.where, .message = "<" + fact.name + "> needs a ctrlrange from 0 or more to a larger number"});
+  context.report(
+      {.where = fact.where,
+       .message = "<" + fact.name + "> needs a ctrlrange from 0 or more to a larger number"});
 }
 
 Rule rule() {
@@ -18,7 +20,8 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kMjcf,
       .summary = "adhesion or damper without a control range",
-      .why = "MuJoCo rejects the file: adhesion and dampers take no control below 0, and have to have a "
+      .why = "MuJoCo rejects the file: adhesion and dampers take no control below 0, and have to "
+             "have a "
              "range of controls.",
       .what_to_do = "Write ctrlrange=\"0 1\", with the largest control that is meant.",
       .checks = {on_mjcf({read::MjcfFactKind::kControlRange}, check)},

@@ -9,7 +9,9 @@
 namespace rigor::rules::mjcf_tendon_path {
 
 void check(const read::MjcfFact& fact, Context& context) {
-  context.report({.where = fact.where, .message = (fact.name.empty() ? "tendon" : "tendon '" + fact.name + "'") + ": " + fact.detail});
+  context.report({.where = fact.where,
+                  .message = (fact.name.empty() ? "tendon" : "tendon '" + fact.name + "'") + ": " +
+                             fact.detail});
 }
 
 Rule rule() {
@@ -18,8 +20,10 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kMjcf,
       .summary = "tendon path leads nowhere",
-      .why = "MuJoCo rejects the file: a spatial tendon goes through at least two sites, with each geom "
-             "between two of them and no pulley at its end; a fixed one combines at least one joint.",
+      .why =
+          "MuJoCo rejects the file: a spatial tendon goes through at least two sites, with each "
+          "geom "
+          "between two of them and no pulley at its end; a fixed one combines at least one joint.",
       .what_to_do = "Complete the path, or remove the tendon.",
       .checks = {on_mjcf({read::MjcfFactKind::kTendonPath}, check)},
   };
