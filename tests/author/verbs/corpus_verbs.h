@@ -30,6 +30,8 @@
 #include <rigor/author/verbs/simplify/simplify.h>
 #include <rigor/author/verbs/split.h>
 
+#include "support/part.h"
+
 namespace rigor::author {
 
 enum class Comments { kAll, kSome };
@@ -272,11 +274,13 @@ inline CorpusVerb split_verb() {
           .restored = restored};
 }
 
-/// Of small meshes, as a fit of a large one takes seconds in a build without optimization.
+/// Of small meshes, as a fit of a large one takes seconds in a build without optimization, and a minute with
+/// sanitizers.
 inline CorpusVerb simplify_verb() {
+  const std::uintmax_t most = test::parts() > 1 ? 30'000 : 150'000;
   return {.name = "simplify",
           .change =
-              [](const EditedModel& edited) {
+              [most](const EditedModel& edited) {
                 std::uintmax_t bytes = 0;
                 for (const robot::Body& body : edited.robot.bodies) {
                   for (const robot::Part& part : body.collisions) {
@@ -284,7 +288,7 @@ inline CorpusVerb simplify_verb() {
                       bytes += std::filesystem::file_size(part.shape.path);
                   }
                 }
-                if (bytes == 0 || bytes > 150'000) return refusal("no small meshes");
+                if (bytes == 0 || bytes > most) return refusal("no small meshes");
                 return simplified(edited, {});
               },
           .comments = Comments::kSome,
