@@ -80,7 +80,8 @@ std::string_view declared_kind(std::string_view section, std::string_view tag) {
     return {};
   }
   if (section == "custom" || section == "contact") return tag;
-  if (section == "asset") return tag == "model" ? std::string_view() : tag;  // two may be called alike
+  if (section == "asset")
+    return tag == "model" ? std::string_view() : tag;  // two may be called alike
   if (section == "actuator" || section == "sensor" || section == "equality") return section;
   if (section == "tendon" && (tag == "spatial" || tag == "fixed")) return section;
   if (section == "keyframe") return "key";
