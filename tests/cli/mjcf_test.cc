@@ -34,6 +34,19 @@ TEST_F(MjcfCli, WritesTheRobotItsAssetsAndAScene) {
   EXPECT_EQ(folder.get("out/assets/a.stl").size(), 84U + 4 * 50);
 }
 
+TEST_F(MjcfCli, ASceneIncludesTheFileThatIsWritten) {
+  for (const char* name : {"arm", "arm.mjcf", "arm.v2.xml"}) {
+    const std::string file = "out/" + std::string(name);
+    folder.put("out/keep", "");
+    std::filesystem::remove(folder.path("out/scene.xml"));
+    EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf -o " + file).exit, 0);
+    EXPECT_TRUE(exists(file));
+    const Ran ran = folder.rigor("inspect out/scene.xml");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_NE(ran.out.find("tip"), std::string::npos) << name << '\n' << ran.out << ran.err;
+  }
+}
+
 TEST_F(MjcfCli, WritesTheRobotAloneToStdout) {
   const Ran ran = folder.rigor("sdf2mjcf arm.sdf");
   EXPECT_EQ(ran.exit, 0) << ran.err;

@@ -303,6 +303,24 @@ TEST(Mjcf, MeshesAreFoundWhereTheCompilerSays) {
   EXPECT_FALSE(file.tells(MjcfFactKind::kAssetMissing));
 }
 
+TEST(Mjcf, IncludesThatNestAreBounded) {
+  std::string open, close;
+  for (int i = 0; i < 60; ++i) {
+    open += "<body><geom size='1'/>";
+    close += "</body>";
+  }
+  const auto nested = [&](int file) {
+    return open + "<include file='" + std::to_string(file) + ".xml'/>" + close;
+  };
+  std::map<std::string, std::string> files;
+  for (int i = 0; i < 900; ++i) {
+    files[std::to_string(i) + ".xml"] = "<mujoco>" + nested(i + 1) + "</mujoco>";
+  }
+  const MjcfFile file("<mujoco><worldbody>" + nested(0) + "</worldbody></mujoco>", files);
+  EXPECT_TRUE(file.tells(MjcfFactKind::kIncludeBroken));
+  EXPECT_EQ(file.root().links.size(), 120U);
+}
+
 TEST(Mjcf, CopiesThatMultiplyAreBounded) {
   std::string open, close;
   for (int i = 0; i < 6; ++i) {

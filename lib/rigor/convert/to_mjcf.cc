@@ -81,7 +81,7 @@ class MjcfBuilder {
     name_map();
     if (draft_.options.files == MjcfFiles::kWritten) {
       result_.files = std::move(draft_.files);
-      if (draft_.options.file != "scene") {
+      if (draft_.options.file != "scene.xml") {
         result_.files.push_back(mjcf_scene(draft_.assembly, model_name(), draft_.options.file));
       }
     }

@@ -72,8 +72,7 @@ struct MjcfOptions {
   MjcfBase base = MjcfBase::kFree;
   MjcfFiles files = MjcfFiles::kWritten;
   double armature = 0;  ///< kg·m² of a hinge, kg of a slide: what the file has no word for
-  std::string file =
-      "robot";  ///< name of the result without its ending, which `scene.xml` includes
+  std::string file = "robot.xml";  ///< name of the result, which `scene.xml` includes
   /// rad or m, of joints in the keyframe `home`; of others 0, or the limit next to it.
   std::map<std::string, double> home = {};
   /// Links that are not checked against each other, as an SRDF has them.

@@ -101,7 +101,7 @@ class ToMjcf final : public Command {
         chosen("--self-collision value", self_collision_, kMjcfSelfCollisions));
     how.base = static_cast<convert::MjcfBase>(chosen("--base value", base_, kMjcfBaseNames));
     if (!armature_.empty()) how.armature = positive_number("--armature", armature_, "");
-    how.file = common_.stem();
+    how.file = common_.result_name();
     how.files = common_.writes_file() ? convert::MjcfFiles::kWritten : convert::MjcfFiles::kNone;
     return how;
   }

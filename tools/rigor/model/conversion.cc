@@ -87,9 +87,13 @@ void ConversionCommand::declare(CLI::App& app) {
   search_.declare(app);
 }
 
+std::string ConversionCommand::result_name() const {
+  return out_.empty() ? std::string("robot") + ending_ : std::string(file_name(out_));
+}
+
 std::string ConversionCommand::stem() const {
-  const std::string_view name = file_name(out_);
-  return out_.empty() ? "robot" : std::string(name.substr(0, name.rfind('.')));
+  const std::string name = result_name();
+  return name.substr(0, name.rfind('.'));
 }
 
 void ConversionCommand::refuse_stdout_twice() const {
@@ -193,7 +197,7 @@ std::string ConversionCommand::place_of(const convert::SideFile& file) const {
   const std::string there((std::istreambuf_iterator<char>(stream)), {});
   if (there == file.bytes) return file.name;
   if (file.name == kSceneFile) {
-    const bool own = there.find("<include file=\"" + stem() + ".xml\"/>") != std::string::npos;
+    const bool own = there.find("<include file=\"" + result_name() + "\"/>") != std::string::npos;
     return own ? file.name : stem() + '_' + file.name;
   }
   if (std::filesystem::exists(out_, error)) return file.name;

@@ -40,10 +40,11 @@ class ConversionCommand {
   bool writes_file() const { return !out_.empty(); }
   bool compares_file() const { return !check_.empty(); }
   bool allows_loss() const { return allow_loss_; }
-  /// The result's name without folder and ending; "robot" where it goes to stdout.
-  std::string stem() const;
+  /// The result's name without its folder; "robot" and the ending where it goes to stdout.
+  std::string result_name() const;
 
  private:
+  std::string stem() const;
   int check(const Environment& environment, Sources& sources, read::Workspace& workspace,
             const read::Loaded& loaded, const author::Conversion& result) const;
   void write_result(const author::Conversion& result) const;

@@ -42,7 +42,7 @@ SideFile mjcf_scene(const MjcfAssembly& assembly, const std::string& model,
                     const std::string& file) {
   const double extent = extent_of(assembly.robot);
   MjcfElement root{"mujoco", {{"model", model + " scene"}}};
-  root.add({"include", {{"file", file + ".xml"}}});
+  root.add({"include", {{"file", file}}});
   root.add({"statistic",
             {{"center", mjcf_numbers({0, 0, extent / 2})}, {"extent", mjcf_number(extent)}}});
   MjcfElement asset{"asset"};

@@ -5,6 +5,7 @@
 
 #include <rigor/read/values.h>
 #include <rigor/text/path.h>
+#include <rigor/xml/fault.h>
 
 namespace rigor::read {
 
@@ -12,17 +13,24 @@ MjcfTree::MjcfTree(Workspace& workspace, const File& file, MjcfFacts& facts)
     : workspace_(workspace), file_(file) {
   taken_.insert(normalize_path(file.path));
   paths_.emplace(file.source, &file.path);
-  follow(root(), file, facts);
+  follow(root(), file, 1, facts);
 }
 
-void MjcfTree::follow(xml::Element parent, const File& file, MjcfFacts& facts) {
+/// `depth`: of the parent, in the tree where includes are replaced.
+void MjcfTree::follow(xml::Element parent, const File& file, int depth, MjcfFacts& facts) {
   for (const xml::Element child : parent.children()) {
     if (child.name() != "include") {
-      follow(child, file, facts);
+      follow(child, file, depth + 1, facts);
       continue;
     }
     const auto name = string_field(attribute_text(child, "file"));
     if (name.value.empty() || taken_.size() > kMaxMjcfIncludes) continue;
+    if (depth > xml::kMaxDepth) {
+      const std::string why =
+          "is not read: it is included below more than " + std::to_string(xml::kMaxDepth) + " elements";
+      facts.push_back({MjcfFactKind::kIncludeBroken, name.span, {}, name.value, why});
+      continue;
+    }
     const Disk& disk = workspace_.disk();
     std::string path = join_path(parent_path(file_.path), name.value);
     if (disk.kind(path) != PathKind::kFile) {
@@ -45,7 +53,7 @@ void MjcfTree::follow(xml::Element parent, const File& file, MjcfFacts& facts) {
     }
     includes_.add(child, inner);
     paths_.emplace(inner.source, &inner.path);
-    follow(*inner.document->root(), inner, facts);
+    follow(*inner.document->root(), inner, depth, facts);
   }
 }
 

@@ -44,7 +44,7 @@ class MjcfTree {
   const std::string& path_of(xml::Element element) const;
 
  private:
-  void follow(xml::Element parent, const File& file, MjcfFacts& facts);
+  void follow(xml::Element parent, const File& file, int depth, MjcfFacts& facts);
   void collect(xml::Element parent, std::vector<xml::Element>& list) const;
 
   Workspace& workspace_;
