@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Somebody types real files from their first byte to the last, and edits them at random: what a session says of a
-// text is what a new one says of it.
+// text is what a new one says of it. With RIGOR_TYPING=full every prefix of 200 files and 20,000 edits are compared,
+// which takes an hour with sanitizers; else a part of them.
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include <rigor/lsp/project/part_check.h>
 #include <rigor/text/disk.h>
@@ -30,22 +33,29 @@ Json fresh(const Disk& disk, const std::string& path, const std::string& text) {
   return editor.diagnostics(path);
 }
 
+bool compares_all() {
+  const char* const how = std::getenv("RIGOR_TYPING");
+  return how != nullptr && std::string_view(how) == "full";
+}
+
 TEST(LspTypingCorpus, APrefixIsCheckedAsIfItWereNew) {
   RIGOR_NEEDS_CORPUS();
   RealDisk disk;
   std::size_t files = 0;
   std::mt19937 random(26);
+  const std::size_t most_bytes = compares_all() ? 1'500 : 20'000;
+  const std::size_t most_files = compares_all() ? 200 : rigor::test::part_of(40);
   for (const std::string& path : rigor::test::corpus_part()) {
     const std::string text = rigor::test::read_file(path);
-    if (text.empty() || text.size() > 20'000 || files >= rigor::test::part_of(40)) continue;
+    if (text.empty() || text.size() > most_bytes || files >= most_files) continue;
     ++files;
     Editor editor(disk, Editor::default_capabilities(),
                   std::string(std::filesystem::path(path).parent_path()));
     editor.open(path, "");
-    const std::size_t step = text.size() / 25 + 1;
+    const std::size_t step = compares_all() ? 1 : text.size() / 25 + 1;
     for (std::size_t end = 0; end <= text.size(); end += step) {
       editor.change(path, text.substr(0, end));
-      const bool compared = random() % 8 == 0;
+      const bool compared = compares_all() || random() % 8 == 0;
       if (!compared) continue;
       EXPECT_EQ(editor.diagnostics(path), fresh(disk, path, text.substr(0, end)))
           << path << " " << end;
@@ -61,9 +71,10 @@ TEST(LspTypingCorpus, RandomEditsAreCheckedAsIfTheTextWereNew) {
   RealDisk disk;
   std::mt19937 random(27);
   std::size_t edits = 0;
+  const std::size_t most_edits = compares_all() ? 20'000 : rigor::test::part_of(1'500);
   for (const std::string& path : rigor::test::corpus_part()) {
     std::string text = rigor::test::read_file(path);
-    if (text.size() < 100 || text.size() > 20'000 || edits >= rigor::test::part_of(1'500)) continue;
+    if (text.size() < 100 || text.size() > 20'000 || edits >= most_edits) continue;
     Editor editor(disk, Editor::default_capabilities(),
                   std::string(std::filesystem::path(path).parent_path()));
     editor.open(path, text);
@@ -74,6 +85,9 @@ TEST(LspTypingCorpus, RandomEditsAreCheckedAsIfTheTextWereNew) {
       text.replace(begin, count, text.substr(from, random() % 12));
       if (text.size() < 2) break;
       editor.change(path, text);
+      if (compares_all()) {
+        EXPECT_EQ(editor.diagnostics(path), fresh(disk, path, text)) << path << " edit " << i;
+      }
     }
     EXPECT_EQ(editor.diagnostics(path), fresh(disk, path, text)) << path;
   }

@@ -25,7 +25,7 @@ import sys
 import tempfile
 import time
 
-KEYS = 100
+KEYS = 400
 # Of which each checks all of the document.
 WHOLE_CHECKS = 10
 # Seconds before a key, at most.

@@ -3,6 +3,10 @@
 
 #include <rigor/read/load.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include <rigor/read/mjcf/mjcf.h>
@@ -48,6 +52,7 @@ class FileLoader {
     if (!top) return std::move(loaded_);
     loaded_.root.site = site_of(*top);
     if (is_srdf(file.path, *top)) return std::move(loaded_);
+    reserve_entities(*file.document);
     loaded_.root.format = format_of(*top);
     if (file_name(file.path) == "model.config" && top->name() == "model") {
       loaded_.root.format = model::Format::kModelConfig;
@@ -69,6 +74,23 @@ class FileLoader {
  private:
   void add(FactKind kind, Span where, std::string name = {}) {
     loaded_.facts.push_back({kind, where, std::move(name), {}});
+  }
+
+  /// Entities are large, and all are moved when a list of them grows.
+  void reserve_entities(const xml::Document& document) {
+    std::size_t links = 0, joints = 0, visuals = 0, collisions = 0;
+    for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+      const std::string_view name = document.element(i).name();
+      links += name == "link" ? 1 : 0;
+      joints += name == "joint" ? 1 : 0;
+      visuals += name == "visual" ? 1 : 0;
+      collisions += name == "collision" ? 1 : 0;
+    }
+    constexpr std::size_t kMost = 10'000;  // whatever a file says
+    loaded_.root.links.reserve(std::min(links, kMost));
+    loaded_.root.joints.reserve(std::min(joints, kMost));
+    loaded_.root.visuals.reserve(std::min(visuals, kMost));
+    loaded_.root.collisions.reserve(std::min(collisions, kMost));
   }
 
   void load_sdf(xml::Element top) {

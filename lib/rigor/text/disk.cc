@@ -144,39 +144,43 @@ MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) {
 
 void MemoryDisk::put(const std::string& path, std::string bytes) {
   std::string below = normalize_path(path);
-  files_[below] = std::move(bytes);
+  entries_[below].bytes = std::move(bytes);
   for (bool added = true; added && below != "." && below != "/";) {
     std::string folder(parent_path(below));
-    added = folders_[folder].emplace(file_name(below)).second;
+    added = entries_[folder].names.emplace(file_name(below)).second;
     below = std::move(folder);
   }
 }
 
+const MemoryDisk::Entry* MemoryDisk::find(const std::string& path) const {
+  const auto found = entries_.find(normalize_path(path));
+  return found == entries_.end() ? nullptr : &found->second;
+}
+
 std::unique_ptr<OpenFile> MemoryDisk::open(const std::string& path) const {
-  const auto found = files_.find(normalize_path(path));
-  if (found == files_.end()) return nullptr;
-  return std::make_unique<MemoryFile>(found->second);
+  const Entry* const entry = find(path);
+  if (entry == nullptr || !entry->bytes) return nullptr;
+  return std::make_unique<MemoryFile>(*entry->bytes);
 }
 
 ReadResult MemoryDisk::read(const std::string& path, std::uint64_t max_bytes) const {
-  const auto found = files_.find(normalize_path(path));
-  if (found == files_.end()) {
-    return {std::nullopt, kind(path) == PathKind::kFolder ? "is a folder" : "no such file"};
-  }
-  if (found->second.size() > max_bytes) return too_large(max_bytes);
-  return {found->second, {}};
+  const Entry* const entry = find(path);
+  if (entry == nullptr) return {std::nullopt, "no such file"};
+  if (!entry->bytes) return {std::nullopt, "is a folder"};
+  if (entry->bytes->size() > max_bytes) return too_large(max_bytes);
+  return {*entry->bytes, {}};
 }
 
 PathKind MemoryDisk::kind(const std::string& path) const {
-  const std::string normal = normalize_path(path);
-  if (files_.contains(normal)) return PathKind::kFile;
-  return folders_.contains(normal) ? PathKind::kFolder : PathKind::kMissing;
+  const Entry* const entry = find(path);
+  if (entry == nullptr) return PathKind::kMissing;
+  return entry->bytes ? PathKind::kFile : PathKind::kFolder;
 }
 
 std::vector<std::string> MemoryDisk::list(const std::string& folder) const {
-  const auto found = folders_.find(normalize_path(folder));
-  if (found == folders_.end()) return {};
-  return {found->second.begin(), found->second.end()};
+  const Entry* const entry = find(folder);
+  if (entry == nullptr) return {};
+  return {entry->names.begin(), entry->names.end()};
 }
 
 }  // namespace rigor

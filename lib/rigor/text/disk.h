@@ -88,8 +88,13 @@ class MemoryDisk final : public Disk {
   std::vector<std::string> list(const std::string& folder) const override;
 
  private:
-  std::unordered_map<std::string, std::string> files_;
-  std::unordered_map<std::string, std::set<std::string>> folders_;  // the names that each holds
+  struct Entry {
+    std::optional<std::string> bytes;  // of a file
+    std::set<std::string> names;       // what a folder holds
+  };
+  const Entry* find(const std::string& path) const;
+
+  std::unordered_map<std::string, Entry> entries_;
 };
 
 }  // namespace rigor

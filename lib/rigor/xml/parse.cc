@@ -74,10 +74,10 @@ class Builder {
     document_.source_ = source;
     last_child_[0] = kNone;
     document_.bytes_ = bytes;
-    // Real models have an element every 60 to 90 bytes and a token every 30.
-    document_.elements_.reserve(bytes.size() / 64 + 4);
+    // Real models have an element every 37 to 60 bytes and a token every 9 to 20.
+    document_.elements_.reserve(bytes.size() / 37 + 4);
     document_.attributes_.reserve(bytes.size() / 128 + 4);
-    document_.tokens_.reserve(bytes.size() / 24 + 8);
+    document_.tokens_.reserve(bytes.size() / 9 + 8);
   }
 
   Document build_judged() {

@@ -32,7 +32,6 @@ class EditorDisk final : public Disk {
   explicit EditorDisk(const Disk& below, OpenTexts texts = {})
       : below_(below), open_(std::move(texts)) {}
 
-  const Disk& below() const { return below_; }
   /// As they are now: for another disk, on another thread.
   OpenTexts open_texts() const;
 

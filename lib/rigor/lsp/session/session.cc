@@ -28,6 +28,7 @@ Session::Session(const Disk& disk, read::SearchPaths paths, Peer peer, std::stri
 
 void Session::receive(const Json& message) {
   if (exit_code_) return;
+  state_.cached_disk.expire();
   if (message.is_discarded())
     return fail(nullptr, ErrorCode::kParseError, "the message is no JSON");
   const std::string method = text_at(message, "method");
@@ -232,6 +233,7 @@ void Session::check_later(const std::string& uri) {
 
 void Session::work() {
   if (to_check_.empty()) return;
+  state_.cached_disk.expire();
   const std::string uri = std::move(to_check_.back());
   to_check_.pop_back();
   const auto found = state_.documents.find(uri);
@@ -268,7 +270,7 @@ std::unique_ptr<BackgroundCheck> Session::background_check(std::vector<std::stri
     if (found == state_.documents.end()) continue;
     const OpenDocument& document = *found->second;
     return std::make_unique<BackgroundCheck>(
-        state_.disk.below(), state_.disk.open_texts(), state_.paths, state_.worker,
+        state_.real_disk, state_.disk.open_texts(), state_.paths, state_.worker,
         BackgroundDocument{uri, document.path(), document.version()}, meshes);
   }
   return nullptr;

@@ -12,11 +12,12 @@
 namespace rigor::lsp {
 
 State::State(const Disk& below, read::SearchPaths search_paths, std::string worker_path)
-    : disk(below), paths(std::move(search_paths)), worker(std::move(worker_path)) {
+    : real_disk(below), cached_disk(below), disk(cached_disk), paths(std::move(search_paths)), worker(std::move(worker_path)) {
   renew_project();
 }
 
 void State::renew_project() {
+  cached_disk.forget();
   for (auto& [uri, document] : documents) document->forget();
   for (auto& [uri, check] : checks) check.forget();
   forget_robots();
@@ -75,14 +76,28 @@ OpenDocument* State::find_by_path(const std::string& path) {
 const CheckedDocument& State::checked(OpenDocument& document) {
   LastCheck& last = checks[document.uri()];
   if (last.version == document.version()) return last.checked;
-  std::optional<CheckedDocument> part;
-  if (last.parts && document.text().size() >= large_bytes)
-    part = last.parts->check(disk, *project, document.text());
+  std::optional<CheckedDocument> part = checked_in_part(last, document);
+  last.text_before.clear();
   if (!part) return checked_whole(document);
   last.checked = *std::move(part);
   last.is_whole = false;
   last.version = document.version();
   return last.checked;
+}
+
+/// Seen against a text of which all was checked; when that is too far from this one, against the text before.
+std::optional<CheckedDocument> State::checked_in_part(LastCheck& last,
+                                                      const OpenDocument& document) {
+  if (document.text().size() < large_bytes) return std::nullopt;
+  if (last.parts) {
+    if (auto part = last.parts->check(disk, *project, document.text())) return part;
+  }
+  if (last.text_before.empty()) return std::nullopt;
+  std::optional<PartCheck> before = PartCheck::of(document.path(), last.text_before);
+  if (!before) return std::nullopt;
+  before->take(std::move(last.checked_before));
+  last.parts = std::move(before);
+  return last.parts->check(disk, *project, document.text());
 }
 
 const CheckedDocument& State::checked_whole(OpenDocument& document) {
@@ -113,6 +128,9 @@ void State::keep_check(const OpenDocument& document) {
   if (last.prepared && last.is_whole && last.version == document.version()) {
     last.prepared->take(std::move(last.checked));
     last.parts = std::move(last.prepared);
+  } else if (!last.is_whole && last.version == document.version()) {
+    last.text_before = document.text();
+    last.checked_before = std::move(last.checked);
   }
   last.prepared.reset();
   last.version = -1;

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/lsp/document/cached_disk.h>
 #include <rigor/lsp/document/editor_disk.h>
 #include <rigor/lsp/document/open_documents.h>
 #include <rigor/lsp/project/check.h>
@@ -100,7 +101,9 @@ struct State {
   /// Forgets what is known of the robot in a file; of all, and where they are, when the path is empty.
   void forget_robots(const std::string& path = {});
 
-  EditorDisk disk;
+  const Disk& real_disk;  ///< for other threads
+  CachedDisk cached_disk;
+  EditorDisk disk;  ///< above the cached one
   read::SearchPaths paths;
   std::string worker;
   std::unique_ptr<Project> project;
@@ -114,17 +117,23 @@ struct State {
     bool is_whole = false;  ///< else with what is known of other parts than the changed one
     std::optional<PartCheck> prepared;  ///< of the text that was checked, if all of it was
     std::optional<PartCheck> parts;     ///< of an earlier text that was well-formed
+    /// The text before the last change and its check, when only a part of it was checked.
+    std::string text_before;
+    CheckedDocument checked_before;
 
     /// Nothing that was found holds any more.
     void forget() {
       version = -1;
       prepared.reset();
       parts.reset();
+      text_before.clear();
     }
   };
   std::map<std::string, LastCheck, std::less<>> checks;
 
  private:
+  std::optional<CheckedDocument> checked_in_part(LastCheck& last, const OpenDocument& document);
+
   std::optional<std::multimap<std::string, std::string>> robot_paths_;  // by robot's name
   std::map<std::string, robot::SemanticTarget> robots_;                 // by path
 };
