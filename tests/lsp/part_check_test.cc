@@ -142,6 +142,18 @@ TEST_F(LspPartCheck, AChangeOfTwoPartsIsCheckedAsAWhole) {
   EXPECT_EQ(editor.diagnostics(kLargePath), fresh_large(disk, text));
 }
 
+TEST_F(LspPartCheck, AKeyElsewhereIsSeenAgainstTheCheckBeforeIt) {
+  const std::string first = with_replaced(text, "mass value='600'", "mass value='-600'");
+  type(first);
+  const auto rules =
+      type(with_replaced(first, "name='j399' type='revolute'", "name='j399' type='turning'"));
+  EXPECT_TRUE(editor.session().wants_whole_check());
+  EXPECT_TRUE(shows(rules, "mass-negative"));
+  EXPECT_TRUE(shows(rules, "joint-limit-inverted")) << editor.diagnostics(kLargePath).dump();
+  editor.work();
+  EXPECT_EQ(editor.diagnostics(kLargePath), fresh_large(disk, text));
+}
+
 TEST_F(LspPartCheck, AClientThatOnlyPullsGetsTheWhole) {
   Json capabilities = Editor::default_capabilities();
   capabilities["textDocument"]["diagnostic"] = Json::object();

@@ -26,6 +26,7 @@ import tempfile
 import time
 
 KEYS = 400
+STARTS = 5
 # Of which each checks all of the document.
 WHOLE_CHECKS = 10
 # Seconds before a key, at most.
@@ -172,16 +173,28 @@ def share(values, part):
     return ordered[min(len(ordered) - 1, int(len(ordered) * part))]
 
 
-def measure(program, path, text):
-    uri = "file://" + path
+def opened(program, path, text):
+    """A server that has shown what it found in the text, and the milliseconds until then."""
     server = Server(program)
     server.request("initialize", {"capabilities": {}, "rootUri": "file://" + os.path.dirname(path)})
     server.send({"method": "initialized", "params": {}})
-    version = 1
-    document = {"uri": uri, "languageId": "xml", "version": version, "text": text}
+    uri = "file://" + path
+    document = {"uri": uri, "languageId": "xml", "version": 1, "text": text}
     server.send({"method": "textDocument/didOpen", "params": {"textDocument": document}})
-    came = server.findings(uri, version)
-    start = (came - (0 if server.cpu else server.began)) * 1e3
+    came = server.findings(uri, 1)
+    return server, (came - (0 if server.cpu else server.began)) * 1e3
+
+
+def measure(program, path, text):
+    uri = "file://" + path
+    starts = []
+    for _ in range(STARTS - 1):
+        server, start = opened(program, path, text)
+        starts.append(start)
+        server.end()
+    server, start = opened(program, path, text)
+    starts.append(start)
+    version = 1
     # Nobody types before there is something to see; what is prepared for requests is prepared then.
     time.sleep(0.5)
     generator = random.Random(26)
@@ -215,7 +228,7 @@ def measure(program, path, text):
     memory = server.memory()
     server.end()
     print(f"{os.path.basename(path)} ({len(text) / 1e6:.2f} MB)", flush=True)
-    return held({"start": start, "key p50": share(keys, 0.5), "key p99": share(keys, 0.99),
+    return held({"start": share(starts, 0.5), "key p50": share(keys, 0.5), "key p99": share(keys, 0.99),
                  "whole p50": share(wholes, 0.5), "completion p99": share(completions, 0.99), "hover p99": share(hovers, 0.99), "memory": memory})
 
 

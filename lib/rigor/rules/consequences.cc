@@ -74,6 +74,10 @@ constexpr Consequences kConsequences[] = {
     {"link-misplaced twins-in-one-place links-in-one-place origin-looks-like-millimeters "
      "sibling-value-differs twin-value-differs size-suspicious",
      "link-off-its-parent"},
+    {"shape-rotation-slip",
+     "inertia-axes-swapped inertia-geometry-mismatch visual-collision-origin shape-origin-slip "
+     "shape-misplaced collision-beside-visual sibling-value-differs twin-value-differs "
+     "pose-looks-like-degrees center-of-mass-outside-shapes links-overlap"},
     {"slider-limits-look-like-angles", "slider-looks-like-hinge"},
     {"center-of-mass-outside-shapes origin-looks-like-millimeters", "center-of-mass-mirrored"},
     // Of several parts that are alike one is odd, and what else is said of it.

@@ -21,6 +21,7 @@
 #include <malloc.h>
 #include <netinet/in.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -77,7 +78,8 @@ void keep_memory_between_checks() {
   void* const heap = std::malloc(kHeapBytes);
   if (heap == nullptr) return;
   constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20U;
-  const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(heap) + kHugePage - 1) & ~(kHugePage - 1);
+  const std::uintptr_t begin =
+      (reinterpret_cast<std::uintptr_t>(heap) + kHugePage - 1) & ~(kHugePage - 1);
   ::madvise(reinterpret_cast<void*>(begin), kHeapBytes - kHugePage, MADV_HUGEPAGE);
   std::free(heap);
 #endif
@@ -90,6 +92,8 @@ constexpr std::chrono::milliseconds kTypingPause{400};
 
 /// Wakes the loop when a check in the background has come to its end. A client that sends it wakes the loop, too.
 constexpr std::string_view kChecked = "$/rigor/checked";
+
+constexpr int kBackgroundNice = 10;
 
 /// One check in the background at a time, on a thread of its own.
 class CheckThread {
@@ -110,6 +114,8 @@ class CheckThread {
     done_ = false;
     failed_ = false;
     thread_ = std::thread([this] {
+      // Of one thread on Linux: whoever types comes first.
+      ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kBackgroundNice);
       try {
         check_->run();
       } catch (const std::exception&) {

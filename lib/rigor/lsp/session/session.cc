@@ -321,9 +321,15 @@ void Session::publish(OpenDocument& document) {
 
 void Session::publish_of_root(const std::string& root,
                               std::map<std::string, std::vector<Json>> by_uri) {
-  std::set<std::string> changed;
-  for (const auto& [uri, list] : published_[root]) changed.insert(uri);
-  for (const auto& [uri, list] : by_uri) changed.insert(uri);
+  std::set<std::string> changed{root};  // whose version is new
+  const auto& before = published_[root];
+  for (const auto& [uri, list] : before) {
+    if (!by_uri.contains(uri)) changed.insert(uri);
+  }
+  for (const auto& [uri, list] : by_uri) {
+    const auto known = before.find(uri);
+    if (known == before.end() || known->second != list) changed.insert(uri);
+  }
   if (by_uri.empty()) {
     published_.erase(root);
   } else {

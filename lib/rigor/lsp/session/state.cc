@@ -12,7 +12,11 @@
 namespace rigor::lsp {
 
 State::State(const Disk& below, read::SearchPaths search_paths, std::string worker_path)
-    : real_disk(below), cached_disk(below), disk(cached_disk), paths(std::move(search_paths)), worker(std::move(worker_path)) {
+    : real_disk(below),
+      cached_disk(below),
+      disk(cached_disk),
+      paths(std::move(search_paths)),
+      worker(std::move(worker_path)) {
   renew_project();
 }
 

@@ -26,8 +26,8 @@ void MjcfTree::follow(xml::Element parent, const File& file, int depth, MjcfFact
     const auto name = string_field(attribute_text(child, "file"));
     if (name.value.empty() || taken_.size() > kMaxMjcfIncludes) continue;
     if (depth > xml::kMaxDepth) {
-      const std::string why =
-          "is not read: it is included below more than " + std::to_string(xml::kMaxDepth) + " elements";
+      const std::string why = "is not read: it is included below more than " +
+                              std::to_string(xml::kMaxDepth) + " elements";
       facts.push_back({MjcfFactKind::kIncludeBroken, name.span, {}, name.value, why});
       continue;
     }

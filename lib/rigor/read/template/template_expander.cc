@@ -136,9 +136,10 @@ std::unique_ptr<File> TemplateExpander::file_of(const std::string& path, xacro::
   file->source = sources.add(path, std::move(text));
   // Of what is printed here tinyxml2 refuses only what the scanner notes, and instructions that are not the first thing.
   const std::string_view printed = sources.bytes(file->source);
-  file->document = xml::parse_own(printed, file->source);
-  if (!file->document->faults().empty() || printed.find("<?", 1) != std::string_view::npos)
-    file->document = xml::parse(sources.bytes(file->source), file->source);
+  const bool is_sure = printed.find("<?", 1) == std::string_view::npos;
+  if (is_sure) file->document = xml::parse_own(printed, file->source);
+  if (!is_sure || !file->document->faults().empty())
+    file->document = xml::parse(printed, file->source);
   file->expanded = std::make_unique<ExpandedFile>(std::move(made));
   return file;
 }
