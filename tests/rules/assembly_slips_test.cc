@@ -109,6 +109,25 @@ std::string meshes(int count, const std::string& scale) {
   return text;
 }
 
+/// Four rotors, not in a square; the first is where it is said to be.
+std::string drone(const std::string& first) {
+  std::string text = link("base", "<box size='0.1 0.1 0.05'/>");
+  const std::vector<std::string> places{first, "-0.13 -0.2 0.023", "0.13 0.22 0.023",
+                                        "0.13 -0.22 0.023"};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string name = "rotor_" + std::to_string(i);
+    text += link(name, "<cylinder radius='0.05' length='0.01'/>") + joint(name, "base", places[i]);
+  }
+  return text;
+}
+
+TEST(AssemblySlips, APlaceIsComparedWithThoseOfTwoSizes) {
+  const std::string rule = "sibling-value-differs";
+  EXPECT_EQ(said(rule, drone("-0.13 0.2 0.023")), kQuiet);
+  EXPECT_EQ(said(rule, drone("-0.013 0.02 0.0023")), kInformed);
+  EXPECT_EQ(said(rule, drone("-0.013 0.02 0.01")), kQuiet);  // no slip of the decimal point
+}
+
 TEST(AssemblySlips, AScaleIsComparedWithThoseOfThreeMeshes) {
   const std::string rule = "mesh-scale-differs";
   EXPECT_EQ(said(rule, meshes(4, "0.001 0.001 0.001")), kQuiet);

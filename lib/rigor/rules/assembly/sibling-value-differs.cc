@@ -100,6 +100,44 @@ void add_odd(std::uint32_t one, std::size_t field, const std::vector<std::uint32
   result.push_back({one, field, others});
 }
 
+double size_of(const SiblingField& field) {
+  double sum = 0;
+  for (const double value : field.values) sum += value * value;
+  return std::sqrt(sum);
+}
+
+/// Whether the numbers of one are ten, a hundred or a thousand times those of the other, and at least two are not 0.
+bool is_slipped_point(const SiblingField& a, const SiblingField& b) {
+  const double ratio = size_of(a) / size_of(b);
+  const double power = std::abs(std::log10(ratio));
+  if (!std::isfinite(power) || power < 0.5 || power > 3.5) return false;
+  const double factor = std::pow(10, std::round(std::log10(ratio)));
+  std::size_t used = 0;
+  for (std::size_t k = 0; k < a.values.size(); ++k) {
+    if (a.values[k] == 0 && b.values[k] == 0) continue;
+    if (!same_size(std::abs(a.values[k]), std::abs(b.values[k] * factor))) return false;
+    ++used;
+  }
+  return used >= 2;
+}
+
+/// Of parts in several places, one that is nowhere near as far from their parent as any other, and is where another
+/// would be with a slipped decimal point.
+void add_slipped(std::uint32_t one, std::size_t place, const std::vector<std::uint32_t>& others,
+                 const std::vector<Fields>& all, std::vector<Odd>& result) {
+  constexpr double kOther = 3;
+  const double size = size_of(all[one][place]);
+  for (const std::uint32_t other : others) {
+    const double that = size_of(all[other][place]);
+    if (size < kOther * that && that < kOther * size) return;
+  }
+  for (const std::uint32_t other : others) {
+    if (!is_slipped_point(all[one][place], all[other][place])) continue;
+    result.push_back({one, place, {other}});
+    return;
+  }
+}
+
 std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::vector<Fields>& all) {
   std::vector<Odd> result;
   for (const std::uint32_t one : group) {
@@ -123,7 +161,11 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
       for (const auto& [field, others] : by_field) add_odd(one, field, others, all, result);
     }
     const auto place = place_field(all[one]);
-    if (place && alone_in_place) add_odd(one, *place, elsewhere, all, result);
+    if (!place || !alone_in_place) continue;
+    const std::size_t before = result.size();
+    add_odd(one, *place, elsewhere, all, result);
+    if (result.size() == before && elsewhere.size() >= kFewest)
+      add_slipped(one, *place, elsewhere, all, result);
   }
   return result;
 }
@@ -215,12 +257,7 @@ std::optional<Fix> fix_for(const SiblingField& wrong, const SiblingField& right,
 /// Of a pair the one that was left out; else the larger.
 bool is_the_wrong_one(const SiblingField& one, const SiblingField& other) {
   if (is_empty(one) || is_empty(other)) return is_empty(one);
-  const auto size = [](const SiblingField& field) {
-    double sum = 0;
-    for (const double value : field.values) sum += std::abs(value);
-    return sum;
-  };
-  return size(one) > size(other);
+  return size_of(one) > size_of(other);
 }
 
 std::optional<std::uint32_t> link_of(const model::Link& link, std::uint32_t i,
