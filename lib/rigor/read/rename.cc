@@ -3,7 +3,7 @@
 
 #include <rigor/read/rename.h>
 
-#include <set>
+#include <unordered_set>
 #include <string>
 #include <string_view>
 
@@ -11,7 +11,8 @@ namespace rigor::read {
 
 void rename_siblings(model::Root& root, model::Id<model::Model> id) {
   const model::Model& model = root[id];
-  std::set<std::string, std::less<>> taken;
+  if (model.joints.empty() && model.frames.empty()) return;
+  std::unordered_set<std::string> taken;
   for (const auto link : model.links) taken.insert(root[link].name.value);
   for (const auto nested : model.models) taken.insert(root[nested].name.value);
   const auto claim = [&taken](const std::string& name, std::string_view suffix) {
