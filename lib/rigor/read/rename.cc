@@ -3,9 +3,9 @@
 
 #include <rigor/read/rename.h>
 
-#include <unordered_set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 namespace rigor::read {
 
