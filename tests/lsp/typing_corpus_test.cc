@@ -3,7 +3,7 @@
 //
 // Somebody types real files from their first byte to the last, and edits them at random: what a session says of a
 // text is what a new one says of it. With RIGOR_TYPING=full every prefix of 200 files and 20,000 edits are compared,
-// which takes an hour with sanitizers; else a part of them.
+// which takes long with sanitizers; else a part of them.
 
 #include <gtest/gtest.h>
 

@@ -128,6 +128,24 @@ TEST(AssemblySlips, APlaceIsComparedWithThoseOfTwoSizes) {
   EXPECT_EQ(said(rule, drone("-0.013 0.02 0.01")), kQuiet);  // no slip of the decimal point
 }
 
+/// A rod of 0.4 m in its link.
+std::string rod(const std::string& at, const std::string& turned) {
+  return "<link name='rod'><collision><origin xyz='" + at + "' rpy='" + turned +
+         "'/><geometry><cylinder radius='0.02' length='0.4'/></geometry></collision></link>";
+}
+
+TEST(AssemblySlips, ACylinderBeginsAtItsLink) {
+  const std::string rule = "shape-rotation-slip";
+  EXPECT_EQ(said(rule, rod("0.2 0 0", "0 0 0")), kWarned);
+  EXPECT_EQ(said(rule, rod("0 -0.2 0", "0 1.5708 0")), kWarned);
+  EXPECT_EQ(said(rule, rod("0 0 0.2", "1.5708 0 0")), kWarned);
+  EXPECT_EQ(said(rule, rod("0.2 0 0", "0 1.5708 0")), kQuiet);
+  EXPECT_EQ(said(rule, rod("0 -0.2 0", "1.5708 0 0")), kQuiet);
+  EXPECT_EQ(said(rule, rod("0 0 0.2", "0 0 0")), kQuiet);
+  EXPECT_EQ(said(rule, rod("0.25 0 0", "0 0 0")), kQuiet);     // not half of it
+  EXPECT_EQ(said(rule, rod("0.14 0.14 0", "0 0 0")), kQuiet);  // along no axis
+}
+
 TEST(AssemblySlips, AScaleIsComparedWithThoseOfThreeMeshes) {
   const std::string rule = "mesh-scale-differs";
   EXPECT_EQ(said(rule, meshes(4, "0.001 0.001 0.001")), kQuiet);

@@ -33,8 +33,7 @@ ReadResult CachedDisk::read(const std::string& path, std::uint64_t max_bytes) co
   {
     const std::lock_guard lock(mutex_);
     const auto known = bytes_.find(path);
-    if (known != bytes_.end() && known->second.size() <= max_bytes)
-      return {known->second, {}, ReadError::kOther};
+    if (known != bytes_.end() && known->second.size() <= max_bytes) return {known->second, {}};
   }
   ReadResult result = below_.read(path, max_bytes);
   if (!result.bytes || result.bytes->size() > kMaxFileBytes) return result;

@@ -37,7 +37,7 @@ class CachedDisk final : public Disk {
   explicit CachedDisk(const Disk& below, std::function<Time()> now = std::chrono::steady_clock::now)
       : below_(below), now_(std::move(now)) {}
 
-  /// Forgets all when the first of it was asked for longer ago than `kMaxAge`.
+  /// Forgets all when that was done longer ago than `kMaxAge`.
   void expire();
   void forget();
 

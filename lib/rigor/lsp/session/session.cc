@@ -233,7 +233,6 @@ void Session::check_later(const std::string& uri) {
 
 void Session::work() {
   if (to_check_.empty()) return;
-  state_.cached_disk.expire();
   const std::string uri = std::move(to_check_.back());
   to_check_.pop_back();
   const auto found = state_.documents.find(uri);

@@ -81,7 +81,7 @@ const CheckedDocument& State::checked(OpenDocument& document) {
   LastCheck& last = checks[document.uri()];
   if (last.version == document.version()) return last.checked;
   std::optional<CheckedDocument> part = checked_in_part(last, document);
-  last.text_before.clear();
+  last.before.reset();
   if (!part) return checked_whole(document);
   last.checked = *std::move(part);
   last.is_whole = false;
@@ -96,11 +96,11 @@ std::optional<CheckedDocument> State::checked_in_part(LastCheck& last,
   if (last.parts) {
     if (auto part = last.parts->check(disk, *project, document.text())) return part;
   }
-  if (last.text_before.empty()) return std::nullopt;
-  std::optional<PartCheck> before = PartCheck::of(document.path(), last.text_before);
-  if (!before) return std::nullopt;
-  before->take(std::move(last.checked_before));
-  last.parts = std::move(before);
+  if (!last.before) return std::nullopt;
+  std::optional<PartCheck> parts = PartCheck::of(document.path(), last.before->text);
+  if (!parts) return std::nullopt;
+  parts->take(std::move(last.before->checked));
+  last.parts = std::move(parts);
   return last.parts->check(disk, *project, document.text());
 }
 
@@ -133,8 +133,7 @@ void State::keep_check(const OpenDocument& document) {
     last.prepared->take(std::move(last.checked));
     last.parts = std::move(last.prepared);
   } else if (!last.is_whole && last.version == document.version()) {
-    last.text_before = document.text();
-    last.checked_before = std::move(last.checked);
+    last.before = {document.text(), std::move(last.checked)};
   }
   last.prepared.reset();
   last.version = -1;

@@ -117,16 +117,19 @@ struct State {
     bool is_whole = false;  ///< else with what is known of other parts than the changed one
     std::optional<PartCheck> prepared;  ///< of the text that was checked, if all of it was
     std::optional<PartCheck> parts;     ///< of an earlier text that was well-formed
-    /// The text before the last change and its check, when only a part of it was checked.
-    std::string text_before;
-    CheckedDocument checked_before;
+    /// Before the last change, when only a part was checked.
+    struct Before {
+      std::string text;
+      CheckedDocument checked;
+    };
+    std::optional<Before> before;
 
     /// Nothing that was found holds any more.
     void forget() {
       version = -1;
       prepared.reset();
       parts.reset();
-      text_before.clear();
+      before.reset();
     }
   };
   std::map<std::string, LastCheck, std::less<>> checks;

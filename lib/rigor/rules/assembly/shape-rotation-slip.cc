@@ -29,25 +29,21 @@ std::size_t axis_of(const model::Vector3& point) {
 }
 
 /// A leg of a length beside the frame that it begins at: its center is half that length from there, across its axis.
-void check_shape(std::string_view shape, double length_of_it, const model::PoseField& pose,
+void check_shape(std::string_view shape, double whole, const model::PoseField& pose,
                  const std::string& subject, Context& context) {
   static constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
   static constexpr std::array<std::string_view, 3> kTurns{"0 1.5708 0", "1.5708 0 0", "0 0 0"};
   if (!pose.pose.written || !pose.relative_to.value.empty()) return;
   const model::Vector3& center = pose.pose.value.translation;
   const double distance = length(center);
-  const double half = length_of_it / 2;
+  const double half = whole / 2;
   if (!(half > 0) || std::abs(distance - half) > kSameLength * half) return;
   const std::size_t along = axis_of(center);
   if (along == 3) return;
   const model::Vector3 axis = rotate(pose.pose.value.rotation, {0, 0, 1});
   if (std::abs(dot(axis, center)) > kRightAngle * distance) return;
-  Span where = place_of(pose, context);
-  if (!pose.site.span.nowhere() && context.root().own(pose.site)) {
-    if (const auto rpy = context.element(pose.site).attribute("rpy")) where = rpy->value_span();
-  }
   context.report(
-      {.where = where,
+      {.where = place_of(pose, context, "rpy"),
        .message =
            fmt::format("the center of the {} is half its length away along {}, across its axis",
                        shape, kAxes[along]),

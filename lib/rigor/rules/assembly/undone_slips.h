@@ -101,10 +101,12 @@ inline model::Vector3 shift_of(const model::Pose& pose, const model::Pose& X_WL,
 
 inline std::string written_as(const model::Vector3& v) { return write::joined({v.x, v.y, v.z}); }
 
-/// The place of a pose's numbers in the file.
-inline Span place_of(const model::PoseField& pose, const Context& context) {
+/// The place of a pose's numbers in the file; of a URDF origin that of one attribute.
+inline Span place_of(const model::PoseField& pose, const Context& context,
+                     std::string_view attribute = "xyz") {
   if (pose.site.span.nowhere() || !context.root().own(pose.site)) return pose.pose.span;
-  if (const auto xyz = context.element(pose.site).attribute("xyz")) return xyz->value_span();
+  if (const auto written = context.element(pose.site).attribute(attribute))
+    return written->value_span();
   return pose.pose.span;
 }
 
