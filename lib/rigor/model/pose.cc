@@ -40,6 +40,25 @@ Quaternion from_axis_angle(const Vector3& axis, double angle) {
   return {std::cos(angle / 2), u.x, u.y, u.z};
 }
 
+Quaternion from_axes(const Vector3& x, const Vector3& y, const Vector3& z) {
+  // The largest of the four components first, so that none is divided by little.
+  const double trace = x.x + y.y + z.z;
+  if (trace > 0) {
+    const double s = 2 * std::sqrt(1 + trace);
+    return {s / 4, (y.z - z.y) / s, (z.x - x.z) / s, (x.y - y.x) / s};
+  }
+  if (x.x >= y.y && x.x >= z.z) {
+    const double s = 2 * std::sqrt(1 + x.x - y.y - z.z);
+    return {(y.z - z.y) / s, s / 4, (y.x + x.y) / s, (z.x + x.z) / s};
+  }
+  if (y.y >= z.z) {
+    const double s = 2 * std::sqrt(1 + y.y - x.x - z.z);
+    return {(z.x - x.z) / s, (y.x + x.y) / s, s / 4, (z.y + y.z) / s};
+  }
+  const double s = 2 * std::sqrt(1 + z.z - x.x - y.y);
+  return {(x.y - y.x) / s, (z.x + x.z) / s, (z.y + y.z) / s, s / 4};
+}
+
 Pose compose(const Pose& X_AB, const Pose& X_BC) {
   return {transform(X_AB, X_BC.translation), normalized(X_AB.rotation * X_BC.rotation)};
 }

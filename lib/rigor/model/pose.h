@@ -69,6 +69,10 @@ Quaternion from_rpy(double roll, double pitch, double yaw);
 /// Rotation by `angle` radians about `axis`, which need not be a unit vector but not zero either.
 Quaternion from_axis_angle(const Vector3& axis, double angle);
 
+/// Brings x, y and z to these: right-handed unit vectors (S. W. Shepperd, "Quaternion from rotation matrix", Journal of
+/// Guidance and Control 1, 1978).
+Quaternion from_axes(const Vector3& x, const Vector3& y, const Vector3& z);
+
 /// The pose of B in A: translation p_AB in meters, in A's axes, and rotation R_AB.
 struct Pose {
   Vector3 translation;

@@ -5,16 +5,11 @@
 
 #pragma once
 
-#include <array>
-
 #include <rigor/model/pose.h>
 
 namespace rigor::view {
 
 /// Brings z to a direction, which has a length, by the shortest way; half a turn about x where that is -z.
 model::Quaternion turn_from_z(const model::Vector3& direction);
-
-/// Brings x, y and z to these: right-handed unit vectors.
-model::Quaternion turn_to(const std::array<model::Vector3, 3>& axes);
 
 }  // namespace rigor::view

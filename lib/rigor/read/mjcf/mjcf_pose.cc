@@ -7,30 +7,11 @@
 
 namespace rigor::read {
 
+using model::from_axes;
 using model::Quaternion;
 using model::Vector3;
 
 namespace {
-
-/// From a matrix with these columns, which are orthonormal. Shepperd's method: the largest of the four
-/// components is computed first.
-Quaternion from_axes(const Vector3& x, const Vector3& y, const Vector3& z) {
-  const double trace = x.x + y.y + z.z;
-  if (trace > 0) {
-    const double s = 2 * std::sqrt(1 + trace);
-    return {s / 4, (y.z - z.y) / s, (z.x - x.z) / s, (x.y - y.x) / s};
-  }
-  if (x.x >= y.y && x.x >= z.z) {
-    const double s = 2 * std::sqrt(1 + x.x - y.y - z.z);
-    return {(y.z - z.y) / s, s / 4, (y.x + x.y) / s, (z.x + x.z) / s};
-  }
-  if (y.y >= z.z) {
-    const double s = 2 * std::sqrt(1 + y.y - x.x - z.z);
-    return {(z.x - x.z) / s, (y.x + x.y) / s, s / 4, (z.y + y.z) / s};
-  }
-  const double s = 2 * std::sqrt(1 + z.z - x.x - y.y);
-  return {(x.y - y.x) / s, (z.x + x.z) / s, (z.y + y.z) / s, s / 4};
-}
 
 Vector3 unit_vector(const Vector3& v) {
   const double size = length(v);

@@ -62,7 +62,8 @@ void MarkPainter::add_inertia(Body body, const Pose& X_WL, const mass::MassPrope
   }
   const mass::PrincipalAxes principal = mass::principal_axes(mass.about_com);
   const auto sides = mass::equivalent_box(mass.mass, principal.moments);
-  body.pose = compose(X_WL, {mass.com, turn_to(principal.axes)});
+  const auto& [x, y, z] = principal.axes;
+  body.pose = compose(X_WL, {mass.com, model::from_axes(x, y, z)});
   body.scale = {sides[0], sides[1], sides[2]};
   body.mesh = finder_.unit_box();
   body.surfaces = {{kInertiaPurple}};
