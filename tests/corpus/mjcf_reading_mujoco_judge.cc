@@ -226,8 +226,15 @@ class Comparison {
   }
 
   std::string joints() {
+    std::size_t in_robot = 0;
     for (std::uint32_t i = 0; i < loaded_.root.joints.size(); ++i) {
-      if (loaded_.root.joints[i].type != model::JointType::kFixed) joints_.push_back(i);
+      const model::JointType type = loaded_.root.joints[i].type;
+      if (type != model::JointType::kFixed) {
+        joints_.push_back(i);
+        in_robot_.push_back(in_robot);
+      }
+      // A free body has no joint in a robot.
+      if (type != model::JointType::kFloating) ++in_robot;
     }
     if (joints_.size() != theirs_.joints.size()) {
       return "joints: " + std::to_string(joints_.size()) + ", not " +
@@ -252,9 +259,10 @@ class Comparison {
            !near(axis.upper.value + axis.position_at_rest, theirs_.range[2 * j + 1]))) {
         return "range of joint " + joint.name.value;
       }
-      if (!near(axis.spring_stiffness.value, theirs_.stiffness[j]))
+      const robot::Axis& of_robot = robot_.joints[in_robot_[j]].axes.front();
+      if (!near(of_robot.spring_stiffness, theirs_.stiffness[j]))
         return "stiffness of " + joint.name.value;
-      if (!near(axis.damping.value, theirs_.damping[j])) return "damping of " + joint.name.value;
+      if (!near(of_robot.damping, theirs_.damping[j])) return "damping of " + joint.name.value;
       if (!near(axis.friction.value, theirs_.friction[j])) return "friction of " + joint.name.value;
     }
     return {};
@@ -461,7 +469,8 @@ class Comparison {
   std::optional<model::Frames> frames_;
   robot::Robot robot_;
   std::vector<std::uint32_t> links_, joints_;
-  std::vector<Pose> X_aligned_;  ///< by body of MuJoCo's: its frame in that of the file
+  std::vector<std::size_t> in_robot_;  // of joints_: the same in robot_
+  std::vector<Pose> X_aligned_;        ///< by body of MuJoCo's: its frame in that of the file
   std::optional<std::uint32_t> world_;
 };
 

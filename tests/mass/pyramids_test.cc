@@ -1,9 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <gtest/gtest.h>
-
 #include <rigor/mass/pyramids.h>
+
+#include <utility>
+
+#include <gtest/gtest.h>
 
 namespace rigor::mass {
 namespace {
@@ -24,6 +26,26 @@ TEST(Pyramids, AreWeighedFromTheCenterOfMassOfThoseFromTheMiddle) {
   const auto moments = pyramids_of(three_squares());
   ASSERT_TRUE(moments);
   EXPECT_NEAR(moments->volume, (17.0 / 12 + 39.0 / 32 + 19.0 / 12) / 3, 1e-12);
+}
+
+/// All triangles of a cube without its lid look away from its inside, so that nothing is taken away.
+TEST(Pyramids, AsWoundOfAnOpenBoxAreThoseOnItsSides) {
+  mesh::TriangleMesh box;
+  box.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                   {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  box.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6},
+                   {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  const auto outward = pyramids_of(box, PyramidSigns::kAsWound);
+  ASSERT_TRUE(outward);
+  EXPECT_NEAR(outward->volume, pyramids_of(box)->volume, 1e-12);
+  // Turned around, one side takes away what it had added.
+  std::swap(box.triangles[2][0], box.triangles[2][1]);
+  std::swap(box.triangles[3][0], box.triangles[3][1]);
+  const auto mixed = pyramids_of(box, PyramidSigns::kAsWound);
+  ASSERT_TRUE(mixed);
+  EXPECT_LT(mixed->volume, pyramids_of(box)->volume - 0.2);
+  for (mesh::Triangle& t : box.triangles) std::swap(t[0], t[1]);
+  EXPECT_FALSE(pyramids_of(box, PyramidSigns::kAsWound));
 }
 
 TEST(Pyramids, OfNoAreaAreNone) {

@@ -160,6 +160,29 @@ TEST(Mjcf, PositionsAtRestAreZeroWhateverTheyAreCalled) {
   EXPECT_NEAR(axis.spring_reference.value, 0.2, 1e-15);
 }
 
+TEST(Mjcf, SpringsTunedToATimeConstantAreOfTheInertiaOfTheirJoint) {
+  const MjcfFile file(
+      R"(<mujoco><worldbody><body><inertial mass="2" pos="0.5 0 0" diaginertia="1 1 1"/>
+    <joint axis="0 1 0" springdamper="0.1 2" stiffness="7"/></body></worldbody></mujoco>)");
+  const robot::Robot robot = robot::robot_of(file.root(), file.frames(), {0});
+  const robot::Axis& axis = robot.joints[0].axes[0];
+  // 1 + 2·0.5² kg·m². It swings with 1/(0.1·2) rad/s, twice as damped as it would have to be not to swing over.
+  EXPECT_NEAR(std::sqrt(axis.spring_stiffness / 1.5), 5, 1e-12);
+  EXPECT_NEAR(axis.damping / (2 * std::sqrt(axis.spring_stiffness * 1.5)), 2, 1e-12);
+}
+
+TEST(Mjcf, APrimitiveFittedToAMeshWeighsAsThatPrimitive) {
+  const auto mass = [](const std::string& compiler) {
+    const MjcfFile file("<mujoco>" + compiler + R"(<asset><mesh name="block"
+        vertex="-1 -2 -3 1 -2 -3 -1 2 -3 1 2 -3 -1 -2 3 1 -2 3 -1 2 3 1 2 3"/></asset>
+      <worldbody><body name="a"><geom type="sphere" mesh="block" density="1"/></body></worldbody></mujoco>)");
+    return file.mass("a").mass;
+  };
+  EXPECT_NEAR(mass(""), 4 * kPi / 3 * 8, 1e-9);  // a sphere of 2 m
+  // To bounds none is fitted: it counts as the mesh.
+  EXPECT_NEAR(mass("<compiler fitaabb='true'/>"), 48, 1e-9);
+}
+
 TEST(Mjcf, LimitsCountWhereTheyAreSaid) {
   const std::string body = R"(<worldbody><body name="a"><joint name="j" type="slide" range="-1 1"/>
     <geom size="1"/></body></worldbody></mujoco>)";

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <variant>
 
+#include <rigor/mass/fitted_primitive.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mass/shapes.h>
@@ -102,10 +103,17 @@ std::optional<Solid> solid_of_mesh(const model::Mesh& shape, const GeomWeight& w
   }
   const MeshBody body = body_of(*survey, shape.scale.value);
   const bool hull = weight.mesh_law == GeomWeight::MeshLaw::kConvex;
-  if (body.from == BodyFrom::kHull && !hull && survey->pyramids) {
-    return positive(scaled(*survey->pyramids, shape.scale.value));
+  const auto& pyramids =
+      weight.mesh_law == GeomWeight::MeshLaw::kExact ? survey->pyramids_as_wound : survey->pyramids;
+  if (body.from == BodyFrom::kHull && !hull && pyramids) {
+    return positive(scaled(*pyramids, shape.scale.value));
   }
   return body.solid;
+}
+
+MassProperties weighed(const Solid& solid, const GeomWeight& weight) {
+  return weight.mass.written ? with_mass(solid, weight.mass.value)
+                             : of_density(solid, weight.density.value);
 }
 
 /// Of the geom in the link frame; nothing when it cannot be said.
@@ -114,12 +122,19 @@ std::optional<MassProperties> of_geom(const model::Geometry& geometry, const mod
   const bool weightless = weight.mass.written ? weight.mass.value <= 0 : weight.density.value <= 0;
   if (weightless || std::holds_alternative<model::NoShape>(geometry.shape)) return MassProperties{};
   const auto* mesh = std::get_if<model::Mesh>(&geometry.shape);
-  const auto solid = mesh != nullptr ? solid_of_mesh(*mesh, weight, find_mesh)
-                     : weight.shell  ? shell_of_shape(geometry.shape)
-                                     : solid_of(geometry.shape);
-  if (!solid) return mesh != nullptr ? std::nullopt : std::optional(MassProperties{});
-  return transformed(X_LG, weight.mass.written ? with_mass(*solid, weight.mass.value)
-                                               : of_density(*solid, weight.density.value));
+  const model::Shape* shape = &geometry.shape;
+  model::Pose X_LS = X_LG;
+  std::optional<FittedPrimitive> fitted;
+  if (mesh != nullptr) {
+    const auto solid = solid_of_mesh(*mesh, weight, find_mesh);
+    if (!solid) return std::nullopt;
+    if (weight.fit == GeomWeight::Fit::kNone) return transformed(X_LG, weighed(*solid, weight));
+    fitted = fitted_primitive(*solid, weight.fit, weight.fit_scale);
+    shape = &fitted->shape;
+    X_LS = compose(X_LG, fitted->X_MS);
+  }
+  const auto solid = weight.shell ? shell_of_shape(*shape) : solid_of(*shape);
+  return solid ? transformed(X_LS, weighed(*solid, weight)) : MassProperties{};
 }
 
 Inertia of_moments(const PrincipalAxes& axes, const std::array<double, 3>& moments) {

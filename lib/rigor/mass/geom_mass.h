@@ -7,7 +7,8 @@
 //   if (auto body = geom_mass(root, link, find_mesh)) use(*body);
 //
 // Shells (`shellinertia`) of spheres, boxes, capsules and cylinders are closed forms of thin sheets; others count as
-// solids. Of a mesh that does not enclose a volume, its hull counts.
+// solids. Of a mesh that does not enclose a volume, its hull counts. A primitive that is fitted to a mesh counts as that
+// (fitted_primitive.h), but where the file asks for one fitted to the bounds, which counts as the mesh.
 
 #pragma once
 

@@ -24,14 +24,16 @@ std::optional<Vector3> middle_of_surface(const mesh::TriangleMesh& mesh) {
   return 1 / area * sum;
 }
 
-/// The formula of polyhedron.h with |D| for D.
-PolyhedronMoments about_apex(const mesh::TriangleMesh& mesh, const Vector3& apex) {
+/// The formula of polyhedron.h, with |D| for D where all count as positive.
+PolyhedronMoments about_apex(const mesh::TriangleMesh& mesh, const Vector3& apex,
+                             PyramidSigns signs) {
   PolyhedronMoments moments;
   moments.reference = apex;
   for (const mesh::Triangle& t : mesh.triangles) {
     const Vector3 a = mesh.positions[t[0]] - apex, b = mesh.positions[t[1]] - apex,
                   c = mesh.positions[t[2]] - apex;
-    const double d = std::abs(dot(a, cross(b, c)));
+    const double wound = dot(a, cross(b, c));
+    const double d = signs == PyramidSigns::kPositive ? std::abs(wound) : wound;
     const Vector3 s = a + b + c;
     moments.volume += d / 6;
     moments.first = moments.first + (d / 24) * s;
@@ -50,15 +52,16 @@ PolyhedronMoments about_apex(const mesh::TriangleMesh& mesh, const Vector3& apex
 
 }  // namespace
 
-std::optional<PolyhedronMoments> pyramids_of(const mesh::TriangleMesh& mesh) {
+std::optional<PolyhedronMoments> pyramids_of(const mesh::TriangleMesh& mesh, PyramidSigns signs) {
   const auto middle = middle_of_surface(mesh);
   if (!middle) return std::nullopt;
-  const PolyhedronMoments from_middle = about_apex(mesh, *middle);
+  const PolyhedronMoments from_middle = about_apex(mesh, *middle, signs);
   if (!(from_middle.volume > 0)) return std::nullopt;
   // MuJoCo moves the mesh to this center of mass, and weighs pyramids from there without moving it again.
   const Vector3 com = *middle + 1 / from_middle.volume * from_middle.first;
-  PolyhedronMoments moments = about_apex(mesh, com);
+  PolyhedronMoments moments = about_apex(mesh, com, signs);
   moments.first = {};
+  if (!(moments.volume > 0)) return std::nullopt;
   return moments;
 }
 

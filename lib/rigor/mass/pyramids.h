@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <rigor/mass/polyhedron.h>
@@ -15,7 +16,13 @@
 
 namespace rigor::mass {
 
-/// Nothing for a mesh without area.
-std::optional<PolyhedronMoments> pyramids_of(const mesh::TriangleMesh& mesh);
+enum class PyramidSigns : std::uint8_t {
+  kPositive,  ///< `inertia="legacy"`
+  kAsWound,   ///< `inertia="exact"`: a triangle that looks at its apex takes away
+};
+
+/// Nothing for a mesh without area, or whose pyramids do not add up to a volume.
+std::optional<PolyhedronMoments> pyramids_of(const mesh::TriangleMesh& mesh,
+                                             PyramidSigns signs = PyramidSigns::kPositive);
 
 }  // namespace rigor::mass

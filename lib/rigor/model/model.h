@@ -94,6 +94,10 @@ struct GeomWeight {
   bool shell = false;     ///< `shellinertia`: the mass is on the surface
   enum class MeshLaw : std::uint8_t { kLegacy, kConvex, kExact, kShell };
   MeshLaw mesh_law = MeshLaw::kLegacy;  ///< `inertia` of the mesh asset
+  /// The primitive that is fitted to the box with the moments of the mesh, and weighs in its place.
+  enum class Fit : std::uint8_t { kNone, kSphere, kCapsule, kCylinder, kEllipsoid, kBox };
+  Fit fit = Fit::kNone;
+  double fit_scale = 1;
 };
 
 struct Collision {
@@ -222,6 +226,12 @@ struct Mimic {
   Field<double> reference;  ///< SDF: follower = multiplier·(leader - reference) + offset
 };
 
+/// MJCF's `springdamper`: in place of a stiffness and a damping.
+struct SpringDamper {
+  double time_constant = 0;  ///< s
+  double damping_ratio = 0;
+};
+
 /// `<axis>` or `<axis2>`. Limits in rad (m for a prismatic joint), efforts in N·m (N), speeds in
 /// rad/s (m/s).
 struct Axis {
@@ -241,6 +251,7 @@ struct Axis {
   Field<double> spring_reference;
   Field<double> spring_stiffness;
   Field<double> armature;  ///< MJCF: kg·m² or kg, added along the axis
+  std::optional<SpringDamper> spring_damper;
   /// MJCF: what the file calls the position at rest (`ref`). Limits and the spring's reference above
   /// are relative to it, so that zero is at rest as in other formats.
   double position_at_rest = 0;

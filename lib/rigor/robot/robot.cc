@@ -8,9 +8,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <rigor/mass/resolve.h>
+#include <rigor/robot/rest_inertia.h>
 #include <rigor/robot/swapped_joints.h>
 
 namespace rigor::robot {
@@ -108,6 +110,7 @@ class RobotBuilder {
     robot::connect(robot_);
     place();
     fill();
+    tune_springs();
     add_frames();
     return std::move(robot_);
   }
@@ -245,6 +248,30 @@ class RobotBuilder {
       for (const auto id : link.visuals) {
         body.visuals.push_back(part(id, "visual", body.name, X_BL, X_ML_[i]));
         if (lookups_.color_of) body.visuals.back().color = lookups_.color_of(id);
+      }
+    }
+  }
+
+  /// What MuJoCo makes of `springdamper`: a spring and a damper of this time constant, T, and ratio, ζ, on the inertia I
+  /// that the joint has at rest: I/(T ζ)² and 2 I/T.
+  void tune_springs() {
+    std::vector<std::uint32_t> tuned;
+    std::vector<double> armature;
+    for (std::uint32_t j = 0; j < joints_.size(); ++j) {
+      const auto& axes = root_[joints_[j]].axes;
+      armature.push_back(axes.empty() ? 0 : axes.front().armature.value);
+      if (!axes.empty() && axes.front().spring_damper) tuned.push_back(j);
+    }
+    if (tuned.empty()) return;
+    const AxisValues inverse = inverse_inertias(robot_, armature);
+    for (const std::uint32_t j : tuned) {
+      const double sum = std::accumulate(inverse[j].begin(), inverse[j].end(), 0.0);
+      if (!(sum > 0)) continue;
+      const double inertia = static_cast<double>(inverse[j].size()) / sum;
+      const auto [time, ratio] = *root_[joints_[j]].axes.front().spring_damper;
+      for (Axis& axis : robot_.joints[j].axes) {
+        axis.spring_stiffness = inertia / (time * time * ratio * ratio);
+        axis.damping = 2 * inertia / time;
       }
     }
   }

@@ -39,7 +39,7 @@ constexpr Words kBodyWords[] = {
     {"freejoint", "name", "", "group align"},
     {"joint",
      "name class type pos axis range limited ref damping frictionloss actuatorfrcrange "
-     "actuatorfrclimited stiffness springref",
+     "actuatorfrclimited stiffness springref springdamper",
      "", "group user"},
     {"geom",
      "name class type size fromto mesh material rgba contype conaffinity group mass density "

@@ -169,8 +169,10 @@ void members(mesh::Winding& v, const Use& use) {
 
 template <class Use>
 void members(MeshSurvey& v, const Use& use) {
-  auto& [format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids] = v;
-  use(format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids);
+  auto& [format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids,
+         pyramids_as_wound] = v;
+  use(format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids,
+      pyramids_as_wound);
 }
 
 template <class Use>

@@ -106,6 +106,7 @@ void add_hull(const TriangleMesh& mesh, MeshSurvey& survey) {
   if (const auto hull = mesh::convex_hull(mesh::used_positions(mesh)))
     survey.hull = moments_of(*hull);
   survey.pyramids = pyramids_of(mesh);
+  survey.pyramids_as_wound = pyramids_of(mesh, PyramidSigns::kAsWound);
 }
 
 /// Of a plain binary STL whose triangles say what they enclose.

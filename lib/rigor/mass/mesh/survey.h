@@ -54,6 +54,7 @@ struct MeshSurvey {
   std::optional<PolyhedronMoments> hull;
   /// Likewise, as MuJoCo weighs it (pyramids.h).
   std::optional<PolyhedronMoments> pyramids;
+  std::optional<PolyhedronMoments> pyramids_as_wound;
 
   bool usable() const;  ///< no fault is fatal
 };

@@ -45,6 +45,16 @@ model::Shape primitive(std::string_view type, std::vector<double> size,
   return model::NoShape{};
 }
 
+model::GeomWeight::Fit fit_of(std::string_view type) {
+  using Fit = model::GeomWeight::Fit;
+  if (type == "sphere") return Fit::kSphere;
+  if (type == "capsule") return Fit::kCapsule;
+  if (type == "cylinder") return Fit::kCylinder;
+  if (type == "ellipsoid") return Fit::kEllipsoid;
+  if (type == "box") return Fit::kBox;
+  return Fit::kNone;
+}
+
 }  // namespace
 
 MjcfGeom mjcf_geom(const MjcfValues& values, const MjcfSettings& settings, MjcfAssets& assets,
@@ -84,6 +94,10 @@ MjcfGeom mjcf_geom(const MjcfValues& values, const MjcfSettings& settings, MjcfA
   if (weighs) {
     geom.weight = model::GeomWeight{values.number("mass", 0), values.number("density", 1000),
                                     values.is_true("shellinertia"), law};
+    if (geom.fitted && !settings.fit_to_bounds) {
+      geom.weight->fit = fit_of(type);
+      geom.weight->fit_scale = values.number("fitscale", 1).value;
+    }
   }
 
   const auto material = assets.materials.find(values.string("material").value);

@@ -55,6 +55,8 @@ model::Axis mjcf_axis(const MjcfValues& values, const MjcfPlace& place, bool hin
   axis.friction = values.number("frictionloss", 0);
   axis.armature = values.number("armature", 0);
   axis.spring_stiffness = values.number("stiffness", 0);
+  const std::vector<double> tuned = values.numbers("springdamper");
+  if (tuned.size() == 2 && tuned[0] > 0 && tuned[1] > 0) axis.spring_damper = {tuned[0], tuned[1]};
   axis.spring_reference = values.number("springref", 0);
   axis.spring_reference.value = angle(axis.spring_reference.value) - axis.position_at_rest;
   return axis;

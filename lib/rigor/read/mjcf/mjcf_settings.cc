@@ -51,6 +51,7 @@ MjcfSettings mjcf_settings(const MjcfTree& tree) {
       if (name == "eulerseq" && value.size() == 3) settings.euler_sequence = value;
       if (name == "autolimits") settings.auto_limits = on;
       if (name == "strippath") settings.strip_path = on;
+      if (name == "fitaabb") settings.fit_to_bounds = on;
       if (name == "balanceinertia") settings.masses.balance_inertia = on;
       if (name == "meshdir") settings.mesh_folder = attribute.value();
       if (name == "texturedir") settings.texture_folder = attribute.value();

@@ -24,6 +24,8 @@ struct MjcfSettings {
       "xyz";  ///< lower case: about the moved axes; upper case: about the fixed ones
   bool auto_limits = true;
   bool strip_path = false;
+  bool fit_to_bounds =
+      false;  ///< `fitaabb`: primitives are fitted to the bounds of meshes, not to their inertia
   std::string mesh_folder;
   std::string texture_folder;
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::kAuto;

@@ -21,7 +21,8 @@ Rule rule() {
       .formats = Formats::kMjcf,
       .summary = "primitive fitted to a mesh",
       .why = "MuJoCo replaces the mesh by a primitive of its inertia or its bounds. rigor takes "
-             "the mesh itself, so that sizes and masses computed from it differ.",
+             "the mesh itself as the shape. Its mass is that of the primitive, but where "
+             "`fitaabb` asks for the bounds: there it is the mesh's, and differs.",
       .what_to_do = "Nothing is wrong with the file. Write the size of the primitive to have the "
                     "same in all tools.",
       .checks = {on_mjcf({read::MjcfFactKind::kFitNotMade}, check)},
