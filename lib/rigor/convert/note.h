@@ -120,6 +120,10 @@ enum class NoteKind : std::uint8_t {
   kLinkBetween,  ///< `count` links between joints in a row, of `instead` each
   // MJCF.
   kMjcfVelocity,      ///< of a joint: MuJoCo has no velocity limits
+  kMjcfModelPose,     ///< of a model: its bodies have it
+  kMjcfJointType,     ///< several joints of one body, as `instead` says
+  kMjcfEffort,        ///< of a joint that `instead`, and so has no actuator
+  kMjcfFixedJoint,    ///< its name: MJCF has no joints that do not move
   kMjcfLocked,        ///< both limits are `written`: an equality holds the joint there
   kMjcfLoop,          ///< a joint that closes a loop is `instead`
   kMjcfMassless,      ///< a link that moves and has no mass weighs `instead`

@@ -295,6 +295,10 @@ class MjcfBuilder {
 std::vector<Id<model::Model>> chosen_models(const Source& source, const std::string& name,
                                             Notes& notes) {
   std::vector<Id<model::Model>> models;
+  if (source.root.links.empty()) {
+    notes.push_back({.kind = NoteKind::kNoModel, .where = source.root.site.name});
+    return models;
+  }
   for (std::uint32_t i = 0; i < source.root.models.size() && name.empty(); ++i) {
     const model::Model& model = source.root.models[i];
     if (!model.parent && !model.merged) models.push_back({i});

@@ -273,14 +273,14 @@ void MjcfPlan::name_parts() {
     std::set<std::string> taken;
     const auto name = [&](std::vector<robot::Part>& parts, const std::string& kind) {
       for (robot::Part& part : parts) {
-        const bool stays = !part.name.empty() && !taken.contains(part.name);
-        const std::string base = part.name.empty() ? robot.bodies[i].name : part.name;
-        part.name = unique(taken, stays ? part.name : base + kind);
+        if (part.name.empty()) part.name = kind;
+        if (taken.contains(part.name) && part.name != kind) part.name += '_' + kind;
+        part.name = unique(taken, part.name);
       }
     };
-    name(robot.bodies[i].visuals, "_visual");
+    name(robot.bodies[i].visuals, "visual");
     if (target == MjcfTarget::kUrdf) taken.clear();
-    name(robot.bodies[i].collisions, "_collision");
+    name(robot.bodies[i].collisions, "collision");
   }
 }
 

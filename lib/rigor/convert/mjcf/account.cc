@@ -87,6 +87,15 @@ void take_static(MjcfDraft& draft, const model::Model& model) {
                      .instead = "bodies without joints"});
 }
 
+void take_model_pose(MjcfDraft& draft, const model::Model& model) {
+  take_pose(draft.source.source, draft.ledger, model.pose);
+  if (!model.pose.pose.written || model.pose.pose.value == model::Pose{}) return;
+  draft.ledger.note({.kind = NoteKind::kMjcfModelPose,
+                     .outcome = Outcome::kRewritten,
+                     .where = model.pose.pose.span,
+                     .subject = model::subject(draft.root(), model)});
+}
+
 /// What names joints becomes actuators on them.
 void take_drives(MjcfDraft& draft, const model::Parameters& drives) {
   if (draft.options.actuators == MjcfActuators::kNone) return;
@@ -146,6 +155,14 @@ void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint) {
   ledger.take(joint.thread_pitch);
   ledger.take(joint.screw_thread_pitch);
   const bool fixed = joint.type == model::JointType::kFixed;
+  if (fixed && joint.name.written) {
+    ledger.take(joint.name, Outcome::kLost);
+    ledger.note({.kind = NoteKind::kMjcfFixedJoint,
+                 .outcome = Outcome::kLost,
+                 .where = joint.name.span,
+                 .subject = model::subject(draft.root(), joint),
+                 .written = joint.name.value});
+  }
   for (const model::Axis& axis : joint.axes) {
     if (fixed || joint.type == model::JointType::kBall) {
       ledger.take_all(axis.site, Outcome::kImplied);
@@ -176,7 +193,7 @@ void take_mjcf_model(MjcfDraft& draft, model::Id<model::Model> id) {
   for (const auto model : tree.models) {
     if (source.root.format == model::Format::kUrdf) break;
     take_model(source, draft.ledger, model);
-    take_pose(source, draft.ledger, source.root[model].pose);
+    take_model_pose(draft, source.root[model]);
     draft.ledger.take(source.root[model].placement_frame);
     draft.ledger.take(source.root[model].canonical_link);
     take_static(draft, source.root[model]);

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include <rigor/convert/mjcf/draft.h>
+#include <rigor/model/subject.h>
 
 namespace rigor::convert {
 namespace {
@@ -60,6 +62,30 @@ MjcfElement velocity_actuator(const Axis& axis) {
   return element;
 }
 
+/// Why an axis has no actuator although it has an effort limit; empty where it has one.
+std::string_view undriven(const MjcfDraft& draft, const robot::Joint& joint, const Axis& axis) {
+  if (axis.follow) return "follows another one";
+  if (joint.closes_loop) return "closes a loop";
+  if (length(axis.direction) == 0 || axis.lower == axis.upper) return "cannot move";
+  if (axis.effort == 0) return "cannot be driven";
+  if (draft.options.actuators == MjcfActuators::kNone) return "is not to be driven";
+  return {};
+}
+
+void tell_effort(MjcfDraft& draft, const robot::Joint& joint, std::size_t k,
+                 std::string_view reason) {
+  const model::Joint* source = draft.entities.joint(joint.span);
+  if (source == nullptr || k >= source->axes.size() || !source->axes[k].effort.written) return;
+  const auto& effort = source->axes[k].effort;
+  draft.ledger.take(effort, Outcome::kLost);
+  draft.ledger.note({.kind = NoteKind::kMjcfEffort,
+                     .outcome = Outcome::kLost,
+                     .where = effort.span,
+                     .subject = model::subject(draft.root(), *source),
+                     .written = mjcf_number(effort.value),
+                     .instead = std::string(reason)});
+}
+
 }  // namespace
 
 void add_mjcf_actuators(MjcfDraft& draft) {
@@ -69,13 +95,15 @@ void add_mjcf_actuators(MjcfDraft& draft) {
   const robot::Robot& robot = draft.robot();
   for (std::uint32_t i = 0; i < robot.joints.size(); ++i) {
     const robot::Joint& joint = robot.joints[i];
-    for (std::size_t k = 0; k < joint.axes.size() && k < draft.joint_names[i].size(); ++k) {
+    if (joint.type == model::JointType::kBall) continue;
+    for (std::size_t k = 0; k < joint.axes.size(); ++k) {
       const Axis& axis = joint.axes[k];
-      if (kind == MjcfActuators::kNone || axis.follow || length(axis.direction) == 0) continue;
-      if (joint.type == model::JointType::kBall || joint.closes_loop) continue;
       const bool limited = std::isfinite(axis.effort);
-      // A locked joint goes nowhere, and an effort of 0 drives nothing.
-      if (axis.effort == 0 || axis.lower == axis.upper) continue;
+      if (const auto reason = undriven(draft, joint, axis); !reason.empty()) {
+        if (limited) tell_effort(draft, joint, k, reason);
+        continue;
+      }
+      if (k >= draft.joint_names[i].size()) continue;
       if (!limited && !driven.contains(joint.name)) continue;
       MjcfElement element = kind == MjcfActuators::kMotor      ? motor(axis)
                             : kind == MjcfActuators::kPosition ? position_actuator(axis)

@@ -55,7 +55,7 @@ class MjcfGeomMaker {
     auto geom = shaped(part, "visual", NoteKind::kShapeLost);
     if (!geom) return;
     set_look(*geom, part, *visual);
-    name(*geom, part.name, "visual");
+    name(*geom, part.name, "visual", visual->name);
     geoms_.push_back(*std::move(geom));
   }
 
@@ -69,7 +69,7 @@ class MjcfGeomMaker {
     auto geom = shaped(part, "collision", NoteKind::kCollisionLost);
     if (!geom) return;
     set_contact(draft_, index_, *collision, *geom);
-    name(*geom, part.name, "collision");
+    name(*geom, part.name, "collision", collision->name);
     geoms_.push_back(*std::move(geom));
   }
 
@@ -82,13 +82,24 @@ class MjcfGeomMaker {
     ledger.take_all(written.geometry.site);
   }
 
-  /// A name that the author gave, in the scope of the body if another one has it.
-  void name(MjcfElement& geom, const std::string& given, const std::string& kind) {
-    if (given.empty()) return;
+  /// A name that the author gave, in the scope of the body if another one has it. "collision" says no more than the
+  /// class does.
+  void name(MjcfElement& geom, const std::string& given, const std::string& kind,
+            const model::Field<std::string>& written) {
+    if (given.empty() || given == kind) return;
     auto& taken = draft_.names["geom"];
     const std::string scoped = body_.name + "_" + given;
-    std::string chosen = taken.contains(given) || given == kind ? scoped : given;
+    std::string chosen = taken.contains(given) ? scoped : given;
     chosen = draft_.name_for("geom", chosen);
+    if (chosen != written.value) {
+      draft_.ledger.take(written, Outcome::kRewritten);
+      draft_.ledger.note({.kind = NoteKind::kRenamed,
+                          .outcome = Outcome::kRewritten,
+                          .where = written.span,
+                          .subject = subject_,
+                          .written = '"' + written.value + '"',
+                          .instead = chosen});
+    }
     geom.attributes.insert(geom.attributes.begin(), {"name", chosen});
   }
 

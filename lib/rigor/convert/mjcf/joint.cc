@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -27,9 +29,9 @@ MjcfElement moving_joint(const std::string& name, const Axis& axis, std::string_
 
 void set_range(MjcfElement& element, const Axis& axis) {
   if (!(axis.lower < axis.upper)) return;  // one that cannot move is held by an equality
-  const double lower = std::max(axis.lower, -kMjcfUnlimited);
-  const double upper = std::min(axis.upper, kMjcfUnlimited);
-  if (lower == -kMjcfUnlimited && upper == kMjcfUnlimited) return;
+  if (std::isinf(axis.lower) && std::isinf(axis.upper)) return;
+  const double lower = std::isinf(axis.lower) ? -kMjcfUnlimited : axis.lower;
+  const double upper = std::isinf(axis.upper) ? kMjcfUnlimited : axis.upper;
   element.set("limited", "true");
   element.set("range", mjcf_numbers({lower, upper}));
 }
@@ -78,6 +80,32 @@ void lose_type(MjcfDraft& draft, const robot::Joint& joint) {
        .written = source->type_name.value});
 }
 
+/// What represents a joint of several degrees of freedom; empty for one that MuJoCo has.
+std::string_view several_joints(const robot::Joint& joint, bool at_top) {
+  switch (joint.type) {
+    case JointType::kScrew: return "a hinge and a slide that an equality couples";
+    case JointType::kUniversal:
+    case JointType::kRevolute2: return joint.axes.size() > 1 ? "two hinges" : "";
+    case JointType::kPlanar: return "two slides and a hinge";
+    case JointType::kFloating: return at_top ? "" : "three slides and a ball";
+    default: return "";
+  }
+}
+
+void tell_type(MjcfDraft& draft, const robot::Joint& joint) {
+  const model::Joint* source = draft.entities.joint(joint.span);
+  const auto instead = several_joints(joint, joint.parent == draft.assembly.world);
+  if (source == nullptr || instead.empty()) return;
+  draft.ledger.take(source->type_name, Outcome::kRewritten);
+  draft.ledger.note(
+      {.kind = NoteKind::kMjcfJointType,
+       .outcome = Outcome::kRewritten,
+       .where = source->type_name.written ? source->type_name.span : source->site.name,
+       .subject = model::subject(draft.root(), *source),
+       .written = source->type_name.value,
+       .instead = std::string(instead)});
+}
+
 /// Three slides and a ball: what `freejoint` is, for a body that is not at the top.
 std::vector<MjcfElement> free_joints(MjcfDraft& draft, const std::string& name, bool at_top) {
   if (at_top) return {{"freejoint", {{"name", name}}}};
@@ -122,6 +150,7 @@ std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t index) {
   const robot::Joint& joint = draft.robot().joints[index];
   const std::vector<std::string>& names = draft.joint_names[index];
   if (joint.type == JointType::kFixed || names.empty()) return {};
+  tell_type(draft, joint);
   if (joint.type == JointType::kFloating) {
     return free_joints(draft, names[0], joint.parent == draft.assembly.world);
   }

@@ -114,6 +114,8 @@ class MjcfMesher {
     origin.mirrored = scale.x < 0 || scale.y < 0 || scale.z < 0;
     const std::string file = file_for(origin, scale);
     if (file.empty()) return {};
+    const std::string path = std::string(kAssetFolder) + file;
+    if (path != shape.uri) note(NoteKind::kUri, Outcome::kRewritten, shape.uri, path);
     if (origin.mirrored) scale = {1, 1, 1};
     return asset(file, scale);
   }
@@ -229,7 +231,11 @@ class MjcfMesher {
     return put(stem, ending, *std::move(written.bytes));
   }
 
+  /// A mesh that is drawn and collides as well is often one file.
   std::string put(const std::string& stem, const std::string& ending, std::string bytes) {
+    for (const SideFile& file : draft_.files) {
+      if (file.bytes == bytes) return file.name.substr(kAssetFolder.size());
+    }
     std::string name = draft_.name_for("file", stem) + ending;
     draft_.files.push_back({std::string(kAssetFolder) + name, std::move(bytes)});
     return name;

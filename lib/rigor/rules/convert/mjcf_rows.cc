@@ -20,6 +20,33 @@ std::span<const Row> mjcf_rows() {
               "it.",
        .what_to_do = "Limit the velocity in the controller, or use `--actuators velocity`, whose "
                      "control range is the velocity limit."},
+      {.rule = {"convert-mjcf-model-pose", NoteKind::kMjcfModelPose, Severity::kInfo,
+                Formats::kSdf},
+       .message = "the model's pose is in those of its bodies",
+       .summary = "MJCF has no pose of a model",
+       .why =
+           "Bodies of the top level are placed in the world; the model around them has no frame.",
+       .what_to_do = "Nothing: the robot stands where it stood."},
+      {.rule = {"convert-mjcf-joint-type", NoteKind::kMjcfJointType, Severity::kInfo},
+       .message = "the {written} joint is {instead}",
+       .summary = "a joint of several degrees of freedom is several joints of one body",
+       .why =
+           "MuJoCo's joints are hinges, slides, balls and free joints; a body has as many of them "
+           "as it takes.",
+       .what_to_do = "Use the names of the result for actuators and sensors: the first has the "
+                     "joint's own."},
+      {.rule = {"convert-mjcf-effort", NoteKind::kMjcfEffort, Severity::kInfo},
+       .message = "effort limit {written} is lost: the joint {instead}, and has no actuator",
+       .summary = "a joint without an actuator has no effort limit",
+       .why = "MuJoCo limits the efforts of actuators. A joint that follows another one, or cannot "
+              "move, is held by an equality constraint and has none.",
+       .what_to_do = "Nothing, unless a motor drives this joint: then remove `<mimic>`."},
+      {.rule = {"convert-mjcf-fixed-joint", NoteKind::kMjcfFixedJoint, Severity::kInfo},
+       .message = "the fixed joint has no name in the result",
+       .summary = "MJCF has no fixed joints",
+       .why = "A body without a joint is fixed to its parent. The link keeps its name; the joint's "
+              "is nowhere.",
+       .what_to_do = "Refer to the body where something referred to the joint."},
       {.rule = {"convert-mjcf-locked", NoteKind::kMjcfLocked, Severity::kInfo},
        .message = "both limits are {written}: an equality holds the joint there",
        .summary = "a joint whose limits are equal cannot move",

@@ -78,10 +78,16 @@ std::span<const Row> shape_rows() {
               "physically based rendering.",
        .what_to_do = "Put the texture into a mesh file."},
       {.rule = {"convert-uri", NoteKind::kUri, Severity::kInfo},
-       .message = "{written} becomes {instead}",
+       .message =
+           [](const convert::Note& note) {
+             return note.written == note.instead ? "{written} is kept as it is"
+                                                 : "{written} becomes {instead}";
+           },
        .summary = "a mesh is named in the target's own way",
-       .why = "ROS tools find meshes by `package://`, Gazebo by `model://`.",
-       .what_to_do = "Choose with `--mesh-uri package://NAME`, `file` or `keep`."},
+       .why = "ROS tools find meshes by `package://`, Gazebo by `model://`, MuJoCo in a folder "
+              "beside the file.",
+       .what_to_do = "Choose with `--mesh-uri package://NAME`, `file` or `keep`; for MuJoCo, leave "
+                     "the meshes in `assets/`."},
       {.rule = {"convert-uri-not-found", NoteKind::kUriNotFound, Severity::kWarning},
        .message = "{written} is found nowhere; it is written as {instead}",
        .summary = "a mesh that cannot be found",
