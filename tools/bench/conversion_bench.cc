@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `tools/dev bench convert`: how long a model of the corpus takes to be converted, in process once it is
-// read, without and with the proof, and as a process. Medians over the models; one thread.
+// read, without and with the proof, and as a process; and to MJCF, of models without meshes. Medians over the
+// models; one thread.
 //
 //   rigor_conversion_bench RIGOR_BINARY [SET]     a folder of RIGOR_CORPUS, default all
 
@@ -14,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <unistd.h>
@@ -46,8 +48,10 @@ double seconds(const std::function<void()>& work) {
 }
 
 struct Times {
-  std::vector<double> plain, proved, process;
+  std::vector<double> plain, proved, process, mjcf, mjcf_proved;
 };
+
+enum class Target { kOther /* URDF of SDF, SDF of URDF */, kMjcf };
 
 double least(const std::vector<double>& rounds) {
   return *std::min_element(rounds.begin(), rounds.end());
@@ -63,6 +67,12 @@ class Subject {
     const rigor::read::Loaded loaded = load(workspace);
     const auto& models = loaded.root.models;
     is_urdf_ = loaded.root.format == rigor::model::Format::kUrdf;
+    const auto is_mesh = [](const auto& part) {
+      return std::holds_alternative<rigor::model::Mesh>(part.geometry.shape);
+    };
+    has_meshes_ =
+        std::any_of(loaded.root.visuals.begin(), loaded.root.visuals.end(), is_mesh) ||
+        std::any_of(loaded.root.collisions.begin(), loaded.root.collisions.end(), is_mesh);
     is_model_ = loaded.file->document->complete() && !loaded.root.links.empty() &&
                 std::count_if(models.begin(), models.end(),
                               [](const rigor::model::Model& model) { return !model.parent; }) == 1;
@@ -70,10 +80,11 @@ class Subject {
 
   bool is_model() const { return is_model_; }
   bool is_urdf() const { return is_urdf_; }
+  bool has_meshes() const { return has_meshes_; }
   const std::string& path() const { return path_; }
 
   /// Nothing when it cannot be converted.
-  std::optional<double> time(Proof proof) const {
+  std::optional<double> time(Proof proof, Target target = Target::kOther) const {
     std::vector<double> rounds;
     for (int round = 0; round < kRounds; ++round) {
       // Read anew: no conversion finds what the one before has left.
@@ -82,7 +93,7 @@ class Subject {
       const rigor::read::Loaded loaded = load(workspace);
       bool done = false;
       rounds.push_back(seconds([&] {
-        const Conversion result = convert(sources, workspace, loaded, proof);
+        const Conversion result = convert(sources, workspace, loaded, proof, target);
         done = result.text && result.diagnostics.count(rigor::Severity::kError) == 0;
       }));
       if (!done) return std::nullopt;
@@ -98,9 +109,11 @@ class Subject {
   }
 
   Conversion convert(rigor::Sources& sources, rigor::read::Workspace& workspace,
-                     const rigor::read::Loaded& loaded, Proof proof) const {
+                     const rigor::read::Loaded& loaded, Proof proof, Target target) const {
     const rigor::author::ConversionOptions options{
         .proof = proof, .losses = Losses::kAllowed, .out = "/nowhere/robot"};
+    if (target == Target::kMjcf)
+      return rigor::author::to_mjcf(environment_, sources, workspace, loaded, {}, options);
     return is_urdf_ ? rigor::author::to_sdf(environment_, sources, workspace, loaded, {}, options)
                     : rigor::author::to_urdf(environment_, sources, workspace, loaded, {}, options);
   }
@@ -109,6 +122,7 @@ class Subject {
   std::string path_;
   bool is_urdf_ = false;
   bool is_model_ = false;
+  bool has_meshes_ = false;
 };
 
 double time_of_process(const char* rigor, const Subject& subject) {
@@ -157,6 +171,14 @@ int main(int argc, char** argv) {
   for (const std::string& path : models_in(set)) {
     const Subject subject(environment, path);
     if (!subject.is_model()) continue;
+    if (!subject.has_meshes()) {
+      const auto mjcf = subject.time(Proof::kNone, Target::kMjcf);
+      const auto proved = subject.time(Proof::kVerify, Target::kMjcf);
+      if (mjcf && proved) {
+        times.mjcf.push_back(*mjcf);
+        times.mjcf_proved.push_back(*proved);
+      }
+    }
     const auto plain = subject.time(Proof::kNone);
     const auto proved = subject.time(Proof::kVerify);
     if (!plain || !proved) continue;
@@ -165,7 +187,7 @@ int main(int argc, char** argv) {
     if (times.plain.size() % kProcessStride != 1) continue;
     times.process.push_back(time_of_process(argv[1], subject));
   }
-  if (times.plain.empty()) {
+  if (times.plain.empty() || times.mjcf.empty()) {
     fmt::print(stderr, "no model is converted\n");
     return 1;
   }
@@ -174,4 +196,7 @@ int main(int argc, char** argv) {
   tell("without a proof", times.plain, 0.5e-3);
   tell("with it", times.proved, 3e-3);
   tell("as a process", times.process, 15e-3);
+  fmt::print("{} models without meshes\n", times.mjcf.size());
+  tell("to MJCF", times.mjcf, 2e-3);
+  tell("with the proof", times.mjcf_proved, 4e-3);
 }
