@@ -34,6 +34,39 @@ TEST_F(MjcfCli, WritesTheRobotItsAssetsAndAScene) {
   EXPECT_EQ(folder.get("out/assets/a.stl").size(), 84U + 4 * 50);
 }
 
+TEST_F(MjcfCli, ARobotComesBackAsItWent) {
+  folder.put("assets/a.obj",
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  EXPECT_EQ(folder.rigor("mesh-check assets/a.obj -o assets/a.stl").exit, 0);
+  const std::string mesh = "<geometry><mesh><uri>assets/a.stl</uri></mesh></geometry>";
+  folder.put("arm.sdf",
+             arm("revolute",
+                 "<link name='hull'><inertial><mass>1</mass></inertial><visual name='visual'>" +
+                     mesh + "</visual><collision name='collision'>" + mesh +
+                     "</collision></link><joint name='hull_fixed' type='fixed'>"
+                     "<parent>tip</parent><child>hull</child></joint>"));
+  folder.put("out/keep", "");
+  const Ran there = folder.rigor("sdf2mjcf arm.sdf -o out/arm.xml --format concise");
+  EXPECT_EQ(there.exit, 0);
+  EXPECT_NE(there.out.find("convert-mjcf-velocity"), std::string::npos) << there.out;
+  // One file for what is drawn and what collides.
+  EXPECT_NE(folder.get("out/arm.xml").find("file=\"a.stl\""), std::string::npos);
+  EXPECT_FALSE(exists("out/assets/a_2.stl"));
+  EXPECT_EQ(folder.rigor("mjcf2sdf out/arm.xml -o out/arm.sdf").exit, 0);
+  // What was told to be lost differs, and nothing else.
+  const Ran ran = folder.rigor("diff arm.sdf out/arm.sdf");
+  EXPECT_NE(ran.out.find("joint elbow: velocity 2 rad/s"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.err.find("rigor: 1 difference\n"), std::string::npos) << ran.out << ran.err;
+}
+
+TEST_F(MjcfCli, ARobotWithoutLinksIsNone) {
+  folder.put("none.urdf", "<robot name='none'/>");
+  const Ran ran = folder.rigor("urdf2mjcf none.urdf -o none.xml --format concise");
+  EXPECT_EQ(ran.exit, 1);
+  EXPECT_NE(ran.out.find("convert-no-model"), std::string::npos) << ran.out;
+  EXPECT_FALSE(exists("none.xml"));
+}
+
 TEST_F(MjcfCli, ASceneIncludesTheFileThatIsWritten) {
   for (const char* name : {"arm", "arm.mjcf", "arm.v2.xml"}) {
     const std::string file = "out/" + std::string(name);

@@ -50,6 +50,13 @@ TEST(MjcfJoint, ContinuousAndHalfLimitedJointsAreToldApart) {
   EXPECT_EQ(ratchet.errors(), std::vector<std::string>());
 }
 
+TEST(MjcfJoint, ALimitThatIsFarOffStaysOne) {
+  const MjcfConverted wheel(
+      two_links("revolute", mjcf_axis("<limit><lower>-1e12</lower><upper>1e12</upper></limit>")));
+  EXPECT_EQ(wheel.attribute("joint", "j", "range"), "-1000000000000 1000000000000");
+  EXPECT_EQ(wheel.errors(), std::vector<std::string>());
+}
+
 TEST(MjcfJoint, LockedJointIsHeldByAnEquality) {
   const MjcfConverted arm(
       two_links("revolute", mjcf_axis("<limit><lower>0.5</lower><upper>0.5</upper></limit>")));
@@ -117,6 +124,11 @@ TEST(MjcfJoint, ActuatorsGiveTheEffortWhateverTheirKind) {
   EXPECT_EQ(velocity.notes(NoteKind::kMjcfVelocity).size(), 0U);
   const MjcfConverted none(kGripper, {.actuators = MjcfActuators::kNone});
   EXPECT_EQ(none.all("actuator").size(), 0U);
+  EXPECT_EQ(none.notes(NoteKind::kMjcfEffort).size(), 2U);
+  const auto lost = position.notes(NoteKind::kMjcfEffort);  // of the one that follows
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_EQ(lost[0].written, "20");
+  EXPECT_NE(lost[0].subject.find("joint r"), std::string::npos) << lost[0].subject;
 }
 
 TEST(MjcfJoint, LoopIsClosedByTwoPointsOfItsAxis) {
