@@ -26,18 +26,20 @@ SHAPES = MISSING + ["convert-mjcf-mesh", "convert-shape-lost", "convert-collisio
 MASSES = ["convert-mjcf-massless", "convert-mjcf-inertia", "convert-mjcf-inertia-moved", "convert-massless-moving"]
 LIMITS = ["convert-mjcf-locked", "convert-limit-inverted"]
 JOINTS = ["convert-mjcf-loop", "convert-from-mjcf-loop", "convert-joint-type-lost", "convert-mjcf-joint-type"]
+FIXED = ["convert-mjcf-fixed-joint"]
 EXTRAS = ["convert-mjcf-not-carried", "convert-mjcf-contact", "convert-from-mjcf-contact", "convert-mjcf-look",
           "convert-mjcf-sensor", "convert-sensor", "convert-plugin", "convert-gravity", "convert-self-collide"]
 NAMED_BY = {
     "part-renamed": ["convert-renamed"],
-    "joint-renamed": ["convert-mjcf-fixed-joint", "convert-renamed"] + JOINTS,
+    "joint-renamed": FIXED + ["convert-renamed"] + JOINTS,
     "link-renamed": ["convert-renamed"],
-    "velocity": ["convert-mjcf-velocity"],
+    "velocity": ["convert-mjcf-velocity"] + JOINTS,
     "effort": ["convert-mjcf-effort"] + JOINTS,
     "mesh": ["convert-uri"] + SHAPES,
     "shape": SHAPES,
-    "collision-only-in-a": SHAPES,
-    "visual-only-in-a": SHAPES,
+    "collision-only-in-a": SHAPES + ["convert-mjcf-not-carried"],
+    "visual-only-in-a": SHAPES + ["convert-mjcf-not-carried"],
+    "mimic": ["convert-mimic-lost"],
     # Parts without names are compared in their order.
     "collision-moved": MISSING,
     "visual-moved": MISSING,
@@ -47,9 +49,9 @@ NAMED_BY = {
     "inertia": MASSES,
     "center-of-mass": MASSES + MISSING,
     "total-mass": MASSES,
-    "lower-limit": LIMITS,
-    "upper-limit": LIMITS,
-    "joint-only-in-a": JOINTS,
+    "lower-limit": LIMITS + JOINTS,
+    "upper-limit": LIMITS + JOINTS,
+    "joint-only-in-a": JOINTS + FIXED,
     "joint-only-in-b": JOINTS,
     "joint-type": JOINTS,
     "joint-axis": JOINTS,
@@ -75,9 +77,9 @@ def run(command, cwd):
 
 
 def names_in(subject):
-    """Of a finding: "panda/link hand/visual" is about hand."""
-    parts = [part.split(" ", 1)[1] for part in subject.split("/") if " " in part]
-    return {name for part in parts for name in part.split("::")}
+    """Of a finding: "panda/link hand/visual" is about hand, "robot panda" about no part of it."""
+    parts = [part.split(" ", 1) for part in subject.split("/") if " " in part]
+    return {name for kind, part in parts if kind not in ("robot", "model") for name in part.split("::")}
 
 
 def is_named(difference, findings):
@@ -85,7 +87,10 @@ def is_named(difference, findings):
     about = set()
     for side in ("a", "b"):
         if difference[side]:
-            about.update(difference[side]["subject"].partition(" ")[2].split("/")[0].split("::"))
+            path = difference[side]["subject"].partition(" ")[2].split("/")
+            about.update(path[0].split("::"), path[1:] if difference["kind"].startswith("attachment") else [])
+    # Consumers of SDF 1.6 put this behind the name of a joint that a link has, too.
+    about |= {name.removesuffix("_joint") for name in about}
     for finding in findings:
         if finding["rule"] not in rules:
             continue

@@ -173,6 +173,14 @@ TEST(FromMjcf, ABallIsABallInSdfAndThreeJointsInUrdf) {
   EXPECT_EQ(refused.result.diagnostics.count(Severity::kError), 1U);
 }
 
+TEST(FromMjcf, JointsOfABallHaveNamesThatNoOtherHas) {
+  const FromMjcf urdf(body("base", body("arm", "<joint name='b_z' type='slide'/><joint name='b' type='ball'/>")),
+                      ResultFormat::kUrdf);
+  EXPECT_EQ(urdf.at("joint", "b_z", "@type"), "prismatic");
+  EXPECT_EQ(urdf.at("joint", "b_z_2", "axis/@xyz"), "0 0 1");
+  EXPECT_EQ(urdf.against(), Names{});
+}
+
 std::string finger(const std::string& sections) {
   return "<mujoco><compiler angle='radian'/><worldbody>" +
          body("base",

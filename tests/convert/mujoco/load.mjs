@@ -7,7 +7,7 @@
 
 import fs from 'node:fs';
 import path from 'node:path';
-import loadMujoco from 'mujoco-js';
+import loadMujoco from '@mujoco/mujoco';
 
 const mujoco = await loadMujoco({ print: () => {}, printErr: () => {} });
 let failed = 0;
@@ -35,7 +35,7 @@ process.argv.slice(2).forEach((file, i) => {
   const folder = `/robot${i}`;
   copy(path.dirname(file), folder);
   try {
-    const model = mujoco.MjModel.loadFromXML(`${folder}/${path.basename(file)}`);
+    const model = mujoco.MjModel.from_xml_path(`${folder}/${path.basename(file)}`);
     if (!model) throw new Error('rejected');
     console.log(`ok\t${file}\t${model.nbody} bodies, ${model.nv} degrees, ${model.nu} actuators`);
     model.delete();

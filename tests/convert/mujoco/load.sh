@@ -12,7 +12,7 @@ rigor=$1 work=$2/mjcf_test
 shift 2
 mkdir -p "$work"
 cp "$here/package.json" "$here/load.mjs" "$work"
-(cd "$work" && { [ -d node_modules/mujoco-js ] || npm install --no-audit --no-fund --silent; }) || exit 77
+(cd "$work" && { [ -d node_modules/@mujoco/mujoco ] || npm install --no-audit --no-fund --silent; }) || exit 77
 rm -rf "$work/robots"
 scenes=()
 for model in "$@"; do

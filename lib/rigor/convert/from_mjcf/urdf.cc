@@ -30,7 +30,9 @@ class MjcfToUrdf {
         ledger_(ledger),
         result_(result),
         draft_{.source = plan.source.source, .options = plan.options.urdf, .ledger = ledger},
-        shaper_(plan, ledger, &draft_, nullptr) {}
+        shaper_(plan, ledger, &draft_, nullptr),
+        link_names_(plan.taken_links),
+        joint_names_(plan.taken_joints) {}
 
   void build() {
     UrdfRobot& robot = draft_.robot;
@@ -177,7 +179,7 @@ class MjcfToUrdf {
            number_texts(origin.xyz) + ' ' + number_texts(origin.rpy));
       return;
     }
-    UrdfJoint result{.name = plan_.unique(free_names_, joint.name.value)};
+    UrdfJoint result{.name = plan_.unique(joint_names_, joint.name.value)};
     result.type = "floating";
     result.parent = robot::kWorldBody;
     result.child = name_of(i);
@@ -199,14 +201,14 @@ class MjcfToUrdf {
     UrdfDraft::Row row;
     std::string parent = first.parent;
     for (std::size_t k = 0; k < kAxes.size(); ++k) {
-      UrdfJoint joint{.name = plan_.unique(ball_names_, base + kSuffixes[k])};
+      UrdfJoint joint{.name = plan_.unique(joint_names_, base + kSuffixes[k])};
       joint.type = "continuous";
       joint.parent = parent;
       joint.origin = k == 0 ? first.origin : UrdfOrigin{};
       joint.axis = numbers({kAxes[k][0], kAxes[k][1], kAxes[k][2]});
       const double damping = written.axes.empty() ? 0 : written.axes[0].damping.value;
       if (damping != 0) joint.damping = Number{damping, {}};
-      joint.child = k + 1 < kAxes.size() ? plan_.unique(ball_names_, joint.name + "_link") : child;
+      joint.child = k + 1 < kAxes.size() ? plan_.unique(link_names_, joint.name + "_link") : child;
       if (k + 1 < kAxes.size()) {
         row.links.push_back(draft_.robot.links.size());
         draft_.robot.links.push_back({.name = joint.child});
@@ -321,7 +323,7 @@ class MjcfToUrdf {
   UrdfDraft draft_;
   MjcfShaper shaper_;
   bool needs_world_ = false;
-  std::set<std::string> free_names_, ball_names_;
+  std::set<std::string> link_names_, joint_names_;
 };
 
 }  // namespace

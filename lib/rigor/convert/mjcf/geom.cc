@@ -117,7 +117,7 @@ class MjcfGeomMaker {
     MjcfElement geom{"geom"};
     geom.set("class", use);
     const auto& n = shape.numbers;
-    if (shape.kind == "none") return std::nullopt;
+    if (shape.kind == "none") return lost(NoteKind::kMjcfLost, use + " without a shape");
     const bool sized = shape.kind != "mesh" && shape.kind != "plane" && shape.kind != "polyline";
     // Nothing touches it in any engine.
     if (sized && (n.empty() || !is_positive(n))) {
