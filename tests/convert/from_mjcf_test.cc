@@ -174,8 +174,9 @@ TEST(FromMjcf, ABallIsABallInSdfAndThreeJointsInUrdf) {
 }
 
 TEST(FromMjcf, JointsOfABallHaveNamesThatNoOtherHas) {
-  const FromMjcf urdf(body("base", body("arm", "<joint name='b_z' type='slide'/><joint name='b' type='ball'/>")),
-                      ResultFormat::kUrdf);
+  const FromMjcf urdf(
+      body("base", body("arm", "<joint name='b_z' type='slide'/><joint name='b' type='ball'/>")),
+      ResultFormat::kUrdf);
   EXPECT_EQ(urdf.at("joint", "b_z", "@type"), "prismatic");
   EXPECT_EQ(urdf.at("joint", "b_z_2", "axis/@xyz"), "0 0 1");
   EXPECT_EQ(urdf.against(), Names{});
@@ -280,6 +281,11 @@ TEST(FromMjcf, BodiesThatMayTouchMakeTheModelCollideWithItself) {
   EXPECT_EQ(FromMjcf(text(""), ResultFormat::kSdf).all("self_collide").size(), 1U);
   EXPECT_TRUE(FromMjcf(text("contype='2' conaffinity='1'"), ResultFormat::kSdf)
                   .all("self_collide")
+                  .empty());
+  // The one in the middle has neighbors alone.
+  EXPECT_EQ(FromMjcf(text(""), ResultFormat::kUrdf).all("selfCollide").size(), 2U);
+  EXPECT_TRUE(FromMjcf(text("contype='2' conaffinity='1'"), ResultFormat::kUrdf)
+                  .all("selfCollide")
                   .empty());
 }
 

@@ -97,11 +97,28 @@ TEST(MjcfContact, WrittenFrictionHoldsAgainstTheGround) {
   EXPECT_EQ(plain.attribute("geom", "a1", "friction"), "(none)");
 }
 
+TEST(MjcfContact, AVisualWithoutAShapeIsSaidToBeLeftOut) {
+  const MjcfConverted robot(
+      mjcf_link("a", "<visual name='v'><geometry><empty/></geometry></visual>"));
+  const auto lost = robot.notes(convert::NoteKind::kMjcfLost);
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_EQ(lost[0].written, "visual without a shape");
+}
+
 TEST(MjcfContact, BitmaskOfZeroTouchesNothing) {
   const MjcfConverted robot(mjcf_link(
       "a",
       ball("a1", "<surface><contact><collide_bitmask>0</collide_bitmask></contact></surface>")));
   EXPECT_FALSE(collide(bits_of(robot, "a1"), kGround));
+  EXPECT_TRUE(robot.notes(convert::NoteKind::kMjcfContact).empty());
+}
+
+TEST(MjcfContact, OtherBitmasksAreLostAndSaidToBe) {
+  const MjcfConverted robot(mjcf_link(
+      "a",
+      ball("a1", "<surface><contact><collide_bitmask>1</collide_bitmask></contact></surface>")));
+  EXPECT_TRUE(collide(bits_of(robot, "a1"), kGround));
+  EXPECT_EQ(robot.notes(convert::NoteKind::kMjcfContact).size(), 1U);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include <rigor/convert/from_mjcf/contact.h>
 #include <rigor/convert/from_mjcf/sdf_builder.h>
 #include <rigor/convert/mjcf/assembly.h>
 #include <rigor/convert/number_text.h>
@@ -49,7 +50,8 @@ class MjcfToSdf {
     SdfRobot& robot = draft_.robot;
     robot.name = sdf_name(plan_.options.name.empty() ? plan_.robot.name : plan_.options.name);
     robot.version = version();
-    if (collides_with_itself(plan_)) robot.settings.push_back(text_element("self_collide", "true"));
+    if (!links_that_touch_others(plan_).empty())
+      robot.settings.push_back(text_element("self_collide", "true"));
     if (plan_.is_static) robot.settings.push_back(text_element("static", "true"));
     for (std::uint32_t i = 0; i < plan_.robot.bodies.size(); ++i) {
       if (i == plan_.world || !plan_.chosen[i]) continue;

@@ -27,7 +27,4 @@ struct MjcfSensors {
 /// that carries the body, a camera of a body a camera. Others are lost.
 MjcfSensors mjcf_to_sdf_sensors(const MjcfPlan& plan, Ledger& ledger);
 
-/// Whether links that are no neighbors can touch each other by their bit masks.
-bool collides_with_itself(const MjcfPlan& plan);
-
 }  // namespace rigor::convert

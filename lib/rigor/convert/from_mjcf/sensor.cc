@@ -180,57 +180,10 @@ class MjcfSensorReader {
   std::map<std::uint32_t, std::set<std::string>> taken_;
 };
 
-struct Masks {
-  std::uint32_t type = 0, affinity = 0;
-};
-
-/// By the class of the element, or the nearest `childclass` around it.
-Masks masks_of(const MjcfPlan& plan, xml::Element geom) {
-  std::string name = mjcf_word(geom, "class");
-  for (auto at = geom.parent(); name.empty() && at; at = at->parent()) {
-    name = mjcf_word(*at, "childclass");
-  }
-  const auto id = plan.scope.defaults.find(name);
-  const read::MjcfValues values =
-      plan.scope.defaults.values(geom, "geom", id.value_or(read::MjcfDefaults::kMain));
-  const auto bits = [&](std::string_view attribute) {
-    const double value = values.number(attribute, 1).value;
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
-  };
-  return {bits("contype"), bits("conaffinity")};
-}
-
 }  // namespace
 
 MjcfSensors mjcf_to_sdf_sensors(const MjcfPlan& plan, Ledger& ledger) {
   return MjcfSensorReader(plan, ledger).read();
-}
-
-bool collides_with_itself(const MjcfPlan& plan) {
-  std::vector<std::pair<std::uint32_t, Masks>> links;
-  for (std::uint32_t i = 0; i < plan.root().links.size(); ++i) {
-    if (i == plan.world || !plan.chosen[i]) continue;
-    Masks all;
-    for (const auto id : plan.link(i).collisions) {
-      const Masks one = masks_of(plan, plan.source.source.documents.element(plan.root()[id].site));
-      all.type |= one.type;
-      all.affinity |= one.affinity;
-    }
-    if ((all.type | all.affinity) != 0) links.emplace_back(i, all);
-  }
-  const auto are_neighbors = [&plan](std::uint32_t a, std::uint32_t b) {
-    return (plan.is_carried(a) && plan.parent_of(a) == b) ||
-           (plan.is_carried(b) && plan.parent_of(b) == a);
-  };
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const auto& [a, first] = links[i];
-      const auto& [b, second] = links[k];
-      const bool touch = (first.type & second.affinity) != 0 || (second.type & first.affinity) != 0;
-      if (touch && !are_neighbors(a, b)) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace rigor::convert

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include <rigor/convert/from_mjcf/contact.h>
 #include <rigor/convert/from_mjcf/shape.h>
 #include <rigor/convert/number_text.h>
 #include <rigor/convert/urdf/joint/between.h>
@@ -55,6 +56,7 @@ class MjcfToUrdf {
         add_free(i);
       }
     }
+    add_self_collisions();
     find_rows();
     weigh_links_between(draft_, {0});
     tell_massless();
@@ -274,6 +276,15 @@ class MjcfToUrdf {
     block.text("springReference", to_text({axis.spring_reference, {}}));
     block.text("springStiffness", to_text({axis.spring_stiffness, {}}));
     draft_.robot.blocks.push_back({joint, std::move(block).take()});
+  }
+
+  /// Where Gazebo reads them: links without it touch no other of the model.
+  void add_self_collisions() {
+    for (const std::uint32_t i : links_that_touch_others(plan_)) {
+      XmlWriter block;
+      block.text("selfCollide", "true");
+      draft_.robot.blocks.push_back({name_of(i), std::move(block).take()});
+    }
   }
 
   // --- links between joints ---

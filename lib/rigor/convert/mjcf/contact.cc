@@ -79,7 +79,8 @@ std::optional<std::uint32_t> bitmask(MjcfDraft& draft, const model::Collision& c
   const auto mask = contact ? contact->child("collide_bitmask") : std::nullopt;
   const auto number = mask ? write::number_in(read::trimmed(mask->text())) : std::nullopt;
   if (!number || *number < 0 || *number > kAllModelBits) return {};
-  draft.ledger.take(*mask);
+  // Others than 0 are lost.
+  if (*number == 0) draft.ledger.take(*mask);
   return static_cast<std::uint32_t>(*number);
 }
 

@@ -98,7 +98,8 @@ class MjcfGeomMaker {
                           .where = written.span,
                           .subject = subject_,
                           .written = '"' + written.value + '"',
-                          .instead = chosen});
+                          // The same words for all that are named so: one finding.
+                          .instead = chosen == scoped ? "LINK_" + given : chosen});
     }
     geom.attributes.insert(geom.attributes.begin(), {"name", chosen});
   }
