@@ -60,7 +60,7 @@ NAMED_BY = {
     "joint-moved": JOINTS + ["convert-mjcf-model-pose"],
     "damping": JOINTS,
     "friction": JOINTS,
-    "link-only-in-b": JOINTS,
+    "link-only-in-b": JOINTS + ["convert-from-mjcf-free"],
     "frame-only-in-b": ["convert-mjcf-sensor"],
     "model-pose": ["convert-mjcf-model-pose"],
     "root-pose": ["convert-mjcf-model-pose"],
@@ -102,6 +102,7 @@ def is_named(difference, findings):
             told = {word.strip('",:') for word in place.get("message", "").split()}
             # What is new has a name of its own, and `world` is there with its joints.
             anywhere = difference["kind"].endswith("only-in-b") or difference["kind"] in ("static", "link-only-in-a")
+            anywhere = anywhere or (difference["a"] or difference["b"])["subject"].split()[:1] == ["robot"]
             if not names or anywhere or (names | told) & about:
                 return True
     return False
