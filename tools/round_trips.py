@@ -92,17 +92,19 @@ def is_named(difference, findings):
         if difference[side]:
             path = difference[side]["subject"].partition(" ")[2].split("/")
             about.update(path[0].split("::"), path[1:] if difference["kind"].startswith("attachment") else [])
+            if difference[side]["subject"] == "robot":  # what differs of it stands in the words
+                about.update(re.split(r"[/ \[]", difference["message"]))
     # Consumers of SDF 1.6 put this behind the name of a joint that a link has, too.
     about |= {name.removesuffix("_joint") for name in about}
+    # What is new has a name of its own, and `world` is there with its joints.
+    anywhere = (difference["kind"].endswith("only-in-b") or difference["kind"] == "static"
+                or difference["kind"] == "link-only-in-a" and "world" in about)
     for finding in findings:
         if finding["rule"] not in rules:
             continue
         for place in [finding] + finding.get("places", []):
             names = names_in(place.get("subject", ""))
-            told = {word.strip('",:') for word in place.get("message", "").split()}
-            # What is new has a name of its own, and `world` is there with its joints.
-            anywhere = difference["kind"].endswith("only-in-b") or difference["kind"] in ("static", "link-only-in-a")
-            anywhere = anywhere or (difference["a"] or difference["b"])["subject"].split()[:1] == ["robot"]
+            told = {word.strip('",:') for word in re.split("[/ ]", place.get("message", ""))}
             if not names or anywhere or (names | told) & about:
                 return True
     return False

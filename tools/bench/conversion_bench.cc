@@ -35,17 +35,12 @@ using rigor::author::Conversion;
 using rigor::author::Losses;
 using rigor::author::Proof;
 using rigor::bench::median;
+using rigor::bench::seconds;
 
 /// Of each model, of which the least counts: what else the machine does only ever adds.
 constexpr int kRounds = 7;
 /// A process costs milliseconds: every so-many-th model is measured as one.
 constexpr std::size_t kProcessStride = 8;
-
-double seconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 struct Times {
   std::vector<double> plain, proved, process, mjcf, mjcf_proved;

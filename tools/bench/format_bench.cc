@@ -29,14 +29,9 @@
 namespace {
 
 namespace fs = std::filesystem;
+using rigor::bench::seconds;
 
 constexpr int kRounds = 15;
-
-double seconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 void add_files(const fs::path& folder, std::vector<std::string>& files) {
   if (!fs::is_directory(folder)) return;

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the benchmarks on meshes share: a mesh to measure with, and what a child process costs.
+// What the benchmarks share: a mesh to measure with, and what a piece of work or a child process costs.
 
 #pragma once
 
@@ -89,6 +89,12 @@ inline void run_program(const std::vector<std::string>& words) {
   arguments.push_back(nullptr);
   ::execvp(arguments.front(), arguments.data());
   ::_exit(1);
+}
+
+inline double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 inline double median(std::vector<double> values) {

@@ -25,24 +25,17 @@
 #include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
+#include "measure.h"
+
 namespace {
 
 namespace fs = std::filesystem;
+using rigor::bench::median;
+using rigor::bench::seconds;
 
 /// Repetitions of each side, in turn. A ratio is taken of each turn, as a drift of the machine's speed
 /// meets all sides of one.
 constexpr int kRounds = 41;
-
-double seconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + kRounds / 2, values.end());
-  return values[kRounds / 2];
-}
 
 void parse_bare(const std::map<std::string, std::string>& files,
                 const std::vector<std::string>& paths) {

@@ -42,7 +42,7 @@ Motion motion_of(const Axis& axis, const Pose& X_MA) {
 }
 
 /// One degree of freedom. `row` is that of the mass matrix: of the freedoms that carry this one, from the root
-/// on, and of itself. `solve` makes of them the factors of M = Lᵀ D L.
+/// on, and of itself. `factor` makes of it that of L, with D at its end, of M = Lᵀ D L.
 struct Freedom {
   std::uint32_t parent = kNoIndex;  ///< the freedom next to it on the way to the root
   std::uint32_t body = kNoIndex;    ///< that it moves, with all that it carries
@@ -115,8 +115,7 @@ class RestInertia {
         Moments& sum = carried[to];
         sum = {sum.mass + more.mass, sum.first + more.first, sum.second + more.second};
       };
-      add(*b, {body.mass, body.mass * body.com,
-               body.about_com + mass::point_inertia(body.mass, body.com)});
+      add(*b, {body.mass, body.mass * body.com, mass::about_origin(body)});
       const std::uint32_t carrier = robot_.bodies[*b].carrier;
       if (carrier != kNoIndex) add(robot_.joints[carrier].parent, carried[*b]);
     }
