@@ -114,6 +114,34 @@ TEST(MjcfJoint, FollowerIsCoupledAndHasNoActuator) {
   EXPECT_EQ(gripper.attribute("key", "home", "qpos"), "0 0 0 1 0 0 0 0 0.01");
 }
 
+/// θ_child = -ratio · θ_parent, both seen from the reference body.
+TEST(MjcfJoint, GearboxIsAnEqualityOfTheJointsThatItCouples) {
+  const auto gears = [](const std::string& reference) {
+    const auto joint = [](const std::string& name, const std::string& type, const std::string& ends,
+                          const std::string& rest) {
+      return "<joint name='" + name + "' type='" + type + "'>" + ends + mjcf_axis("") + rest +
+             "</joint>";
+    };
+    return mjcf_link("frame") + mjcf_link("a") + mjcf_link("b") +
+           joint("i", "revolute", "<parent>frame</parent><child>a</child>", "") +
+           joint("j", "revolute", "<parent>frame</parent><child>b</child>", "") +
+           joint("g", "gearbox", "<parent>a</parent><child>b</child>",
+                 "<axis2><xyz>0 0 1</xyz></axis2><gearbox_ratio>3</gearbox_ratio>"
+                 "<gearbox_reference_body>" +
+                     reference + "</gearbox_reference_body>");
+  };
+  const MjcfConverted geared(gears("frame"));
+  ASSERT_EQ(geared.errors(), std::vector<std::string>());
+  EXPECT_EQ(geared.all("joint").size(), 3U);  // i, j, and the equality
+  const xml::Element equality = geared.all("equality").at(0).children().begin().operator*();
+  EXPECT_EQ(MjcfConverted::attribute(equality, "joint1"), "j");
+  EXPECT_EQ(MjcfConverted::attribute(equality, "joint2"), "i");
+  EXPECT_EQ(MjcfConverted::attribute(equality, "polycoef"), "0 -3 0 0 0");
+  EXPECT_EQ(geared.notes(NoteKind::kMjcfJointType).size(), 1U);
+  const MjcfConverted lost(gears("a"), {}, author::Losses::kAllowed);
+  EXPECT_EQ(lost.notes(NoteKind::kJointTypeLost).size(), 1U);
+}
+
 TEST(MjcfJoint, ActuatorsGiveTheEffortWhateverTheirKind) {
   const MjcfConverted position(kGripper, {.actuators = MjcfActuators::kPosition});
   EXPECT_EQ(position.attribute("position", "l", "ctrlrange"), "0 0.04");

@@ -417,11 +417,12 @@ TEST_P(Engines, GearboxTurnsTheOtherWay) {
   scene.joints[2].gearbox_ratio = 4;
   const auto engine_made = made_engine(scene, hand::stiff());
   Engine& engine = *engine_made;
-  engine.set_effort(0, 0, 0.09);
+  engine.set_effort(0, 0, 1.5);
   step_engine(engine, 1000);
   const auto& axes = engine.state().axes;
   EXPECT_GT(axes[0].position, 0.5);
-  EXPECT_NEAR(axes[1].position * 4, -axes[0].position, 1e-3);
+  // SDF's gearbox_reference_body: theta_2 = -gearbox_ratio * theta_1.
+  EXPECT_NEAR(axes[1].position, -4 * axes[0].position, 4e-3);
   EXPECT_NEAR(axes[2].position, axes[0].position, 1e-6);
 }
 

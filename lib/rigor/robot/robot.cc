@@ -6,12 +6,15 @@
 
 #include <rigor/robot/robot.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <rigor/mass/resolve.h>
+#include <rigor/robot/gearbox.h>
 #include <rigor/robot/rest_inertia.h>
 #include <rigor/robot/swapped_joints.h>
 
@@ -109,6 +112,7 @@ class RobotBuilder {
     if (!urdf && !mjcf_) turn_joints();
     robot::connect(robot_);
     place();
+    couple_gears();
     fill();
     tune_springs();
     add_frames();
@@ -155,28 +159,42 @@ class RobotBuilder {
     }
   }
 
+  /// A gearbox is no joint where it lets one follow another; else it carries what no other joint does.
   void add_joints() {
+    gears_ = gear_couplings(root_, frames_);
+    std::set<std::uint32_t> coupling;
+    for (const GearCoupling& gear : gears_) coupling.insert(gear.gearbox.value);
+    std::vector<Id<model::Joint>> gearboxes;
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
       const Id<model::Joint> id{i};
-      if (!inside(root_[id].model)) continue;
+      if (!inside(root_[id].model) || coupling.contains(i)) continue;
       // In MuJoCo a free body has a joint; elsewhere it has none.
       if (mjcf_ && root_[id].type == JointType::kFloating) continue;
-      const model::Frames::Ends& ends = frames_.ends(id);
-      Joint joint;
-      joint.name = name_of(id);
-      joint.span = root_[id].site.tag;
-      joint.child = ends.child ? body_of_[ends.child.value] : kNoIndex;
-      joint.parent = ends.parent_is_world ? world()
-                     : ends.parent        ? body_of_[ends.parent.value]
-                                          : kNoIndex;
-      if (joint.parent == kNoIndex || joint.child == kNoIndex || joint.parent == joint.child) {
-        robot_.unknown.push_back("joint " + joint.name + " does not connect two links");
-        continue;
+      if (root_[id].type == JointType::kGearbox) {
+        gearboxes.push_back(id);
+      } else {
+        add_joint(id);
       }
-      joint.type = root_[id].type == JointType::kContinuous ? JointType::kRevolute : root_[id].type;
-      joints_.push_back(id);
-      robot_.joints.push_back(std::move(joint));
     }
+    for (const Id<model::Joint> id : gearboxes) add_joint(id);
+  }
+
+  void add_joint(Id<model::Joint> id) {
+    const model::Frames::Ends& ends = frames_.ends(id);
+    Joint joint;
+    joint.name = name_of(id);
+    joint.span = root_[id].site.tag;
+    joint.child = ends.child ? body_of_[ends.child.value] : kNoIndex;
+    joint.parent = ends.parent_is_world ? world()
+                   : ends.parent        ? body_of_[ends.parent.value]
+                                        : kNoIndex;
+    if (joint.parent == kNoIndex || joint.child == kNoIndex || joint.parent == joint.child) {
+      robot_.unknown.push_back("joint " + joint.name + " does not connect two links");
+      return;
+    }
+    joint.type = root_[id].type == JointType::kContinuous ? JointType::kRevolute : root_[id].type;
+    joints_.push_back(id);
+    robot_.joints.push_back(std::move(joint));
   }
 
   /// A body that joints lead to from two sides hangs on one of them.
@@ -249,6 +267,15 @@ class RobotBuilder {
         body.visuals.push_back(part(id, "visual", body.name, X_BL, X_ML_[i]));
         if (lookups_.color_of) body.visuals.back().color = lookups_.color_of(id);
       }
+    }
+  }
+
+  void couple_gears() {
+    for (const GearCoupling& gear : gears_) {
+      const auto at = std::find(joints_.begin(), joints_.end(), gear.follower);
+      if (at == joints_.end()) continue;
+      Joint& follower = robot_.joints[static_cast<std::size_t>(at - joints_.begin())];
+      follower.axes[0].follow = Mimic{name_of(gear.leader), 0, gear.multiplier, 0};
     }
   }
 
@@ -389,9 +416,10 @@ class RobotBuilder {
   std::vector<bool> inside_;
   std::vector<Id<model::Link>> links_;    // of each body but the world
   std::vector<Id<model::Joint>> joints_;  // of each joint of the robot
-  std::vector<bool> turned_;              // of each joint, whether parent and child changed places
-  std::vector<std::uint32_t> body_of_;    // of each link of the root
-  std::vector<Pose> X_ML_;                // of each body but the world
+  std::vector<GearCoupling> gears_;
+  std::vector<bool> turned_;            // of each joint, whether parent and child changed places
+  std::vector<std::uint32_t> body_of_;  // of each link of the root
+  std::vector<Pose> X_ML_;              // of each body but the world
   std::uint32_t world_ = kNoIndex;
   bool mjcf_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <rigor/model/motion.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
+#include <rigor/robot/gearbox.h>
 
 namespace rigor::convert {
 namespace {
@@ -186,6 +188,39 @@ void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint) {
   }
 }
 
+namespace {
+
+/// A gearbox that couples two joints is in the robot as one that follows the other (robot/gearbox.h).
+void take_gearboxes(MjcfDraft& draft, const UrdfTree& tree) {
+  if (tree.gearboxes.empty()) return;
+  const model::Root& root = draft.root();
+  std::map<model::Id<model::Joint>, robot::GearCoupling> couplings;
+  for (const auto& gear : robot::gear_couplings(root, draft.source.source.frames)) {
+    couplings.emplace(gear.gearbox, gear);
+  }
+  for (const auto id : tree.gearboxes) {
+    const model::Joint& joint = root[id];
+    Note note{.kind = NoteKind::kJointTypeLost,
+              .where = joint.type_name.written ? joint.type_name.span : joint.site.name,
+              .subject = model::subject(root, joint),
+              .written = "gearbox",
+              .instead = "it couples no two revolute joints of one reference body"};
+    const auto gear = couplings.find(id);
+    if (gear == couplings.end()) {
+      draft.ledger.lose(joint.site, std::move(note));
+      continue;
+    }
+    draft.ledger.take_all(joint.site, Outcome::kRewritten);
+    note.kind = NoteKind::kMjcfJointType;
+    note.outcome = Outcome::kRewritten;
+    note.instead = "an equality, by which " + root[gear->second.follower].name.value + " follows " +
+                   root[gear->second.leader].name.value;
+    draft.ledger.note(std::move(note));
+  }
+}
+
+}  // namespace
+
 void take_mjcf_model(MjcfDraft& draft, model::Id<model::Model> id) {
   const Source& source = draft.source.source;
   const UrdfTree tree = urdf_tree(source.root, source.frames, id);
@@ -202,7 +237,7 @@ void take_mjcf_model(MjcfDraft& draft, model::Id<model::Model> id) {
   for (const auto frame : tree.frames) take_frame(draft, source.root[frame]);
   for (const UrdfTree::Edge& edge : tree.edges) take_mjcf_joint(draft, source.root[edge.joint]);
   for (const auto& left_out : tree.left_out) take_mjcf_joint(draft, source.root[left_out.joint]);
-  for (const auto gearbox : tree.gearboxes) take_mjcf_joint(draft, source.root[gearbox]);
+  take_gearboxes(draft, tree);
 }
 
 NoteKind mjcf_kind_of(xml::Element element) {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What couples joints: mimics, threads of screws, joints whose limits leave one position; and joints that
+// What couples joints: mimics, gearboxes, threads of screws, joints whose limits leave one position; and joints that
 // close loops, as constraints between bodies.
 
 #include <cmath>
@@ -27,7 +27,7 @@ class MjcfCoupler {
   void couple() {
     for (std::uint32_t i = 0; i < robot_.joints.size(); ++i) {
       if (robot_.joints[i].closes_loop) {
-        close_loop(robot_.joints[i]);
+        if (robot_.joints[i].type != JointType::kGearbox) close_loop(robot_.joints[i]);
       } else {
         couple_axes(i);
       }

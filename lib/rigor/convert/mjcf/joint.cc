@@ -155,9 +155,9 @@ std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t index) {
     return free_joints(draft, names[0], joint.parent == draft.assembly.world);
   }
   if (joint.type == JointType::kBall) return {{"joint", {{"name", names[0]}, {"type", "ball"}}}};
-  if (joint.type == JointType::kGearbox || joint.type == JointType::kUnknown) {
+  if (joint.type == JointType::kUnknown) {
     lose_type(draft, joint);
-    if (joint.type == JointType::kUnknown) return {};
+    return {};
   }
   if (joint.axes.empty()) tell_axis(draft, joint, {});
   std::vector<MjcfElement> elements;

@@ -155,7 +155,7 @@ struct SceneJoint {
   Vector3 anchor_W;             ///< at the start
   std::vector<SceneAxis> axes;  ///< as many as the type has; none for ball and fixed
   double screw_pitch = 0;       ///< m per rad along the axis, of a screw
-  double gearbox_ratio = 1;     ///< of a gearbox: child's angle · ratio = -(parent's angle)
+  double gearbox_ratio = 1;     ///< of a gearbox: child's angle = -ratio · parent's angle
   std::uint32_t gearbox_reference = kWorld;  ///< body
   std::vector<SceneMimic> mimics;            ///< of axis i; fewer than axes when none mimics
   std::uint32_t model = kWorld;

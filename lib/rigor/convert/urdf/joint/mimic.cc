@@ -4,24 +4,19 @@
 #include <rigor/convert/urdf/joint/mimic.h>
 
 #include <cmath>
-#include <optional>
+#include <map>
 #include <unordered_map>
 #include <variant>
 
 #include <rigor/convert/written_number.h>
 #include <rigor/model/subject.h>
-#include <rigor/read/values.h>
+#include <rigor/robot/gearbox.h>
 #include <rigor/write/numbers.h>
 
 namespace rigor::convert {
 namespace {
 
 using model::Id;
-using model::JointType;
-
-/// Axes of joints that a gearbox couples are along its own within this sine: a slant of a millionth
-/// changes the ratio by the square of that.
-constexpr double kParallel = 1e-6;
 
 /// Joints that follow each other in a row: no hand has a hundred, and each is walked for each.
 constexpr int kMaxLeaders = 100;
@@ -142,13 +137,15 @@ class MimicAdder {
   JointsByName joints_;
 };
 
-/// A gearbox says of the angles from a reference body R to its parent P (about its first axis) and to
-/// its child C (about its second): θ_RC = -ratio · θ_RP. Where one joint is between R and P and
-/// another between R and C, that is a mimic.
 class GearboxAdder {
  public:
-  GearboxAdder(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names)
-      : draft_(draft), tree_(tree), names_(names), joints_(joints_by_name(draft.robot)) {}
+  GearboxAdder(UrdfDraft& draft, const JointNames& names)
+      : draft_(draft), names_(names), joints_(joints_by_name(draft.robot)) {
+    for (const robot::GearCoupling& gear :
+         robot::gear_couplings(draft.source.root, draft.source.frames)) {
+      couplings_.emplace(gear.gearbox, gear);
+    }
+  }
 
   void add(Id<model::Joint> id) {
     const model::Joint& joint = draft_.source.root[id];
@@ -156,73 +153,33 @@ class GearboxAdder {
               .where = joint.type_name.written ? joint.type_name.span : joint.site.name,
               .subject = model::subject(draft_.source.root, joint),
               .written = "gearbox"};
-    const Id<model::Link> reference = reference_of(joint);
-    const model::Frames::Ends& ends = draft_.source.frames.ends(id);
-    const auto first = between(reference, ends.parent, id, 0);
-    const auto second = between(reference, ends.child, id, 1);
-    if (!first || !second || second->joint->mimic || leads(joints_, second->joint, first->joint)) {
+    const auto gear = couplings_.find(id);
+    UrdfJoint* leader = gear == couplings_.end() ? nullptr : at(gear->second.leader);
+    UrdfJoint* follower = gear == couplings_.end() ? nullptr : at(gear->second.follower);
+    if (leader == nullptr || follower == nullptr || leads(joints_, follower, leader)) {
       note.instead = "it couples no two revolute joints of one reference body";
       return draft_.ledger.lose(joint.site, std::move(note));
     }
-    const double multiplier = -joint.gearbox_ratio.value * first->sign * second->sign;
-    second->joint->mimic = UrdfMimic{first->joint->name, {multiplier, {}}, {0, {}}};
+    follower->mimic = UrdfMimic{leader->name, {gear->second.multiplier, {}}, {0, {}}};
     draft_.ledger.take_all(joint.site, Outcome::kSubstituted);
     note.kind = NoteKind::kJointType;
     note.outcome = Outcome::kSubstituted;
-    note.instead = second->joint->name + " mimics " + first->joint->name;
+    note.instead = follower->name + " mimics " + leader->name;
     draft_.ledger.note(std::move(note));
   }
 
  private:
-  struct Coupled {
-    UrdfJoint* joint;
-    double sign;  ///< of the joint's angle in the gearbox's
-  };
-
-  Id<model::Link> reference_of(const model::Joint& joint) const {
-    const auto element =
-        draft_.source.documents.element(joint.site).child("gearbox_reference_body");
-    if (!element) return {};
-    const auto named = draft_.source.frames.names().find({joint.model, joint.world},
-                                                         read::trimmed(element->text()));
-    const auto* link = std::get_if<Id<model::Link>>(&named);
-    return link == nullptr ? Id<model::Link>{} : *link;
-  }
-
-  std::optional<Coupled> between(Id<model::Link> reference, Id<model::Link> end,
-                                 Id<model::Joint> gearbox, std::size_t k) const {
-    if (!reference || !end) return std::nullopt;
-    // The joint that carries the one or the other.
-    const auto connects = [&](Id<model::Joint> id, Id<model::Link> parent, Id<model::Link> child) {
-      if (!id) return false;
-      const model::Frames::Ends& ends = draft_.source.frames.ends(id);
-      return ends.parent == parent && ends.child == child;
-    };
-    std::optional<double> side;
-    Id<model::Joint> id;
-    for (const Id<model::Link> link : {end, reference}) {
-      if (side) break;
-      id = tree_.carriers[link.value];
-      if (connects(id, reference, end)) side = 1;
-      if (connects(id, end, reference)) side = -1;
-    }
-    if (!side) return std::nullopt;
-    double sign = *side;
-    const JointType type = draft_.source.root[id].type;
-    if (type != JointType::kRevolute && type != JointType::kContinuous) return std::nullopt;
-    const auto axis = draft_.source.frames.axis(id, 0);
-    const auto own = draft_.source.frames.axis(gearbox, k);
-    if (!axis || !own || length(cross(*axis, *own)) > kParallel) return std::nullopt;
-    if (dot(*axis, *own) < 0) sign = -sign;
-    const auto found = joints_.find(names_.at(id).joints.front());
-    if (found == joints_.end()) return std::nullopt;
-    return Coupled{found->second, sign};
+  UrdfJoint* at(Id<model::Joint> id) const {
+    const auto names = names_.find(id);
+    if (names == names_.end()) return nullptr;
+    const auto found = joints_.find(names->second.joints.front());
+    return found == joints_.end() ? nullptr : found->second;
   }
 
   UrdfDraft& draft_;
-  const UrdfTree& tree_;
   const JointNames& names_;
   JointsByName joints_;
+  std::map<Id<model::Joint>, robot::GearCoupling> couplings_;
 };
 
 /// Lets each joint follow the one that follows nobody: consumers of URDF look at one leader only.
@@ -300,7 +257,7 @@ void add_mimics(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names)
 
 void add_gearboxes(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names) {
   if (tree.gearboxes.empty()) return;
-  GearboxAdder adder(draft, tree, names);
+  GearboxAdder adder(draft, names);
   for (const Id<model::Joint> joint : tree.gearboxes) adder.add(joint);
 }
 

@@ -284,8 +284,7 @@ class MujocoWriter {
         made_.axes[first_[j] + 1] = c;
         names_[first_[j] + 1] = names_[child];
       }
-      if (joint.gearbox_ratio == 0) continue;
-      add_coupling(names_[child], names_[parent], 0, -c.sign * p.sign / joint.gearbox_ratio);
+      add_coupling(names_[child], names_[parent], 0, -c.sign * p.sign * joint.gearbox_ratio);
     }
   }
 

@@ -208,10 +208,9 @@ void EngineJoints::make_gearbox(const SceneJoint& joint) {
   const std::size_t childs = both ? parents + 1 : first_.back() + hidden_.size();
   coordinates_.push_back(side(joint.parent, joint.axes[0]));
   (both ? coordinates_ : hidden_).push_back(side(joint.child, joint.axes.back()));
-  if (joint.gearbox_ratio == 0) return;
   couplings_.push_back({.follower = childs,
                         .leader = parents,
-                        .multiplier = -1 / joint.gearbox_ratio,
+                        .multiplier = -joint.gearbox_ratio,
                         .offset = joint.axes.back().start,
                         .reference = joint.axes.front().start});
 }
