@@ -40,6 +40,7 @@ NAMED_BY = {
     "shape": SHAPES,
     "collision-only-in-a": SHAPES + ["convert-mjcf-not-carried"],
     "visual-only-in-a": SHAPES + ["convert-mjcf-not-carried"],
+    "visual-only-in-b": ["convert-mjcf-look"],
     "mimic": ["convert-mimic-lost"],
     # Parts without names are compared in their order.
     "collision-moved": MISSING,

@@ -11,12 +11,16 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigor/author/conversion.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/environment.h>
 #include <rigor/text/disk.h>
+#include <rigor/view/drawing/files.h>
+#include <rigor/view/drawing/looks.h>
 #include <rigor/write/numbers.h>
 #include <rigor/xml/document.h>
 
@@ -26,13 +30,15 @@ class MjcfConverted {
  public:
   /// What stands in the one model of an SDF file, or a whole file.
   explicit MjcfConverted(const std::string& text, convert::MjcfOptions how = {},
-                         author::Losses losses = author::Losses::kRefused)
-      : disk_(std::map<std::string, std::string>{{path_of(text), whole(text)}}),
+                         author::Losses losses = author::Losses::kRefused,
+                         std::map<std::string, std::string> files = {})
+      : disk_(with_file(std::move(files), path_of(text), whole(text))),
         environment_(disk_, {}),
         workspace_(environment_.resolver, sources_),
         loaded_(read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf},
                            workspace_.open(path_of(text)))),
-        result(author::to_mjcf(environment_, sources_, workspace_, loaded_, how,
+        reads_(disk_, environment_.workers),
+        result(author::to_mjcf(environment_, sources_, workspace_, loaded_, looking(how),
                                {.losses = losses, .out = "out/robot.xml"})) {
     if (result.text) document_ = xml::parse(*result.text, {});
   }
@@ -81,6 +87,16 @@ class MjcfConverted {
   }
 
  private:
+  static std::map<std::string, std::string> with_file(std::map<std::string, std::string> files,
+                                                      const std::string& path, std::string bytes) {
+    files[path] = std::move(bytes);
+    return files;
+  }
+  convert::MjcfOptions looking(convert::MjcfOptions how) {
+    how.looks = view::looks_of(loaded_.root, sources_,
+                               view::files_of(environment_.resolver, sources_, reads_));
+    return how;
+  }
   static bool is_urdf(const std::string& text) { return text.find("<robot") != std::string::npos; }
   static std::string path_of(const std::string& text) {
     return is_urdf(text) ? "robot.urdf" : "model.sdf";
@@ -95,6 +111,7 @@ class MjcfConverted {
   Sources sources_;
   read::Workspace workspace_;
   read::Loaded loaded_;
+  mass::MeshReads reads_;
   xml::Document document_;
 
  public:

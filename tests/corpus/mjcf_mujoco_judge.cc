@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <rigor/author/conversion.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
@@ -30,6 +31,8 @@
 #include <rigor/robot/robot.h>
 #include <rigor/rules/environment.h>
 #include <rigor/rules/mesh_finder.h>
+#include <rigor/view/drawing/files.h>
+#include <rigor/view/drawing/looks.h>
 
 #include "corpus/source_robot.h"
 #include "support/corpus.h"
@@ -324,9 +327,13 @@ class Judge {
       ++of_file;
       if (!is_plain_tree(robot)) continue;
       ++verdict.trees;
+      mass::MeshReads reads(disk_, environment.workers);
       const author::Conversion result = author::to_mjcf(
           environment, sources, workspace, loaded,
-          {.model = listed.urdf ? std::string() : model.name.value}, {.out = "/nowhere/robot.xml"});
+          {.model = listed.urdf ? std::string() : model.name.value,
+           .looks = view::looks_of(loaded.root, sources,
+                                   view::files_of(environment.resolver, sources, reads))},
+          {.out = "/nowhere/robot.xml"});
       hold(name + ' ' + model.name.value, robot, result, verdict);
     }
   }

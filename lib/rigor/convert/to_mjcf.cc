@@ -65,8 +65,10 @@ class MjcfBuilder {
     add_mjcf_actuators(draft_);
     MjcfElement root{"mujoco", {{"model", model_name()}}};
     add_comments(root);
-    root.add(
-        {"compiler", {{"angle", "radian"}, {"meshdir", "assets"}, {"inertiafromgeom", "false"}}});
+    MjcfElement compiler{"compiler", {{"angle", "radian"}, {"meshdir", "assets"}}};
+    if (!draft_.texture_names.empty()) compiler.set("texturedir", "assets");
+    compiler.set("inertiafromgeom", "false");
+    root.add(std::move(compiler));
     if (const auto gravity = gravity_of()) root.add({"option", {{"gravity", *gravity}}});
     root.add(defaults());
     for (MjcfElement* section : {&draft_.asset}) add_section(root, *section);

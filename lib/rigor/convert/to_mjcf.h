@@ -24,6 +24,8 @@
 // | effort                        | the range of the joint's `actuator`                             |
 // | damping, friction, spring     | `damping`, `frictionloss`, `stiffness` and `springref`         |
 // | tensor                        | `diaginertia` about the principal axes                         |
+// | a material, a texture         | `rgba`; `material` and `texture`, a PNG in `assets/`            |
+// | a mesh of several materials   | one mesh and geom for each, as STL, or as OBJ with a texture    |
 
 #pragma once
 
@@ -37,6 +39,7 @@
 #include <rigor/convert/ledger.h>
 #include <rigor/convert/mjcf/element.h>
 #include <rigor/convert/sdf_to_urdf.h>
+#include <rigor/robot/look.h>
 #include <rigor/robot/robot.h>
 
 namespace rigor::convert {
@@ -77,6 +80,7 @@ struct MjcfOptions {
   std::map<std::string, double> home = {};
   /// Links that are not checked against each other, as an SRDF has them.
   std::vector<std::pair<std::string, std::string>> excluded = {};
+  robot::FindLooks looks = {};  ///< without it materials are the colors of `Lookups::color_of`
 };
 
 /// The error at which a position actuator gives its full effort, rad or m.

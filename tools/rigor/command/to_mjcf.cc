@@ -3,8 +3,11 @@
 //
 // `rigor sdf2mjcf` and `rigor urdf2mjcf`: a model as MJCF, with its meshes and a scene.
 
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/read/srdf/srdf.h>
 #include <rigor/text/path.h>
+#include <rigor/view/drawing/files.h>
+#include <rigor/view/drawing/looks.h>
 
 #include "model/conversion.h"
 #include "model/model_file.h"
@@ -70,6 +73,9 @@ class ToMjcf final : public Command {
                                     const author::ConversionOptions& options) {
       if (!how.model.empty()) require_model(how.model, {&loaded.root});
       if (!srdf_.empty()) add_srdf(workspace, how);
+      mass::MeshReads reads(environment.disk, environment.workers);
+      how.looks = view::looks_of(loaded.root, sources,
+                                 view::files_of(environment.resolver, sources, reads));
       return author::to_mjcf(environment, sources, workspace, loaded, how, options);
     });
   }

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,6 +20,8 @@
 #include <rigor/convert/mjcf/assembly.h>
 #include <rigor/convert/mjcf/element.h>
 #include <rigor/convert/to_mjcf.h>
+#include <rigor/mesh/read.h>
+#include <rigor/robot/look.h>
 
 namespace rigor::convert {
 
@@ -53,6 +57,8 @@ struct MjcfDegree {
   double home = 0;  ///< rad or m in the keyframe
 };
 
+inline constexpr std::string_view kMjcfAssetFolder = "assets/";
+
 struct MjcfDraft {
   const MjcfSource& source;
   const MjcfOptions& options;
@@ -69,7 +75,15 @@ struct MjcfDraft {
 
   std::map<std::string, std::set<std::string>, std::less<>> names = {};  ///< by kind: "geom"
   std::map<std::string, std::string> mesh_names = {};  ///< of what was written, by what it holds
-  std::map<std::string, std::string> material_names = {};  ///< by name and color
+  std::map<std::string, std::vector<std::string>> group_files =
+      {};  ///< likewise, one for each look
+  std::map<std::string, std::shared_ptr<const mesh::TriangleMesh>> outlines = {};
+  std::map<std::string, std::string> material_names = {};           ///< by name, color and texture
+  std::map<std::string, std::string> texture_names = {};            ///< by type and picture
+  std::set<std::pair<SourceId, std::uint32_t>> told_pictures = {};  ///< elements, by their begin
+  /// What the last mesh file holds: another visual or a collision may be of it.
+  std::string mesh_path = {};
+  std::shared_ptr<const mesh::LoadedMesh> mesh = nullptr;
 
   const model::Root& root() const { return source.source.root; }
   const robot::Robot& robot() const { return assembly.robot; }
@@ -119,9 +133,17 @@ void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint);
 /// The note's kind for an element that no code took.
 NoteKind mjcf_kind_of(xml::Element element);
 
-/// The name of the asset that represents a shape which MuJoCo has as a mesh; empty when there is none, with
-/// a note. `use` is "visual" or "collision".
-std::string mjcf_mesh(MjcfDraft& draft, const robot::Part& part, std::string_view use,
-                      const std::string& subject, Span where);
+/// A mesh asset, and how it looks where the source says so.
+struct MjcfMesh {
+  std::string name;
+  std::optional<robot::Look> look = std::nullopt;
+  std::string material = {};  ///< what the mesh's file calls it
+};
+
+/// What represents a shape which MuJoCo has as a mesh: one, or one for each look of a visual. None when it cannot be,
+/// with a note.
+std::vector<MjcfMesh> mjcf_meshes(MjcfDraft& draft, const robot::Part& part,
+                                  const model::Visual* visual, const std::string& subject,
+                                  Span where);
 
 }  // namespace rigor::convert

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <string>
 
 #include <rigor/convert/mjcf/contact.h>
 #include <rigor/convert/mjcf/draft.h>
+#include <rigor/convert/mjcf/look.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
+#include <rigor/text/path.h>
 
 namespace rigor::convert {
 namespace {
@@ -52,11 +56,11 @@ class MjcfGeomMaker {
     subject_ = model::subject(draft_.root(), *visual);
     where_ = visual->geometry.site.span.nowhere() ? visual->site.name : visual->geometry.site.name;
     take(*visual);
-    auto geom = shaped(part, "visual", NoteKind::kShapeLost);
-    if (!geom) return;
-    set_look(*geom, part, *visual);
-    name(*geom, part.name, "visual", visual->name);
-    geoms_.push_back(*std::move(geom));
+    look_ = look_of(*visual, part.color);
+    auto geoms = shaped(part, visual, NoteKind::kShapeLost);
+    take_material(*visual);
+    for (MjcfElement& geom : geoms) set_look(geom, part, *visual);
+    add(std::move(geoms), part.name, "visual", visual->name);
   }
 
   void add_collision(const Part& part) {
@@ -66,11 +70,16 @@ class MjcfGeomMaker {
     where_ = collision->geometry.site.span.nowhere() ? collision->site.name
                                                      : collision->geometry.site.name;
     take(*collision);
-    auto geom = shaped(part, "collision", NoteKind::kCollisionLost);
-    if (!geom) return;
-    set_contact(draft_, index_, *collision, *geom);
-    name(*geom, part.name, "collision", collision->name);
-    geoms_.push_back(*std::move(geom));
+    auto geoms = shaped(part, nullptr, NoteKind::kCollisionLost);
+    for (MjcfElement& geom : geoms) set_contact(draft_, index_, *collision, geom);
+    add(std::move(geoms), part.name, "collision", collision->name);
+  }
+
+  /// The first has the name.
+  void add(std::vector<MjcfElement> geoms, const std::string& given, const std::string& kind,
+           const model::Field<std::string>& written) {
+    if (!geoms.empty()) name(geoms[0], given, kind, written);
+    std::move(geoms.begin(), geoms.end(), std::back_inserter(geoms_));
   }
 
   template <class T>
@@ -104,17 +113,19 @@ class MjcfGeomMaker {
     geom.attributes.insert(geom.attributes.begin(), {"name", chosen});
   }
 
-  std::optional<MjcfElement> lost(NoteKind kind, std::string_view shape) {
+  std::vector<MjcfElement> lost(NoteKind kind, std::string_view shape) {
     draft_.ledger.note({.kind = kind,
                         .outcome = Outcome::kLost,
                         .where = where_,
                         .subject = subject_,
                         .written = std::string(shape)});
-    return std::nullopt;
+    return {};
   }
 
-  std::optional<MjcfElement> shaped(const Part& part, const std::string& use, NoteKind if_lost) {
+  /// One, but for a mesh of several looks. `visual` is null for a collision.
+  std::vector<MjcfElement> shaped(const Part& part, const model::Visual* visual, NoteKind if_lost) {
     const robot::Shape& shape = part.shape;
+    const std::string use = visual != nullptr ? "visual" : "collision";
     MjcfElement geom{"geom"};
     geom.set("class", use);
     const auto& n = shape.numbers;
@@ -138,43 +149,60 @@ class MjcfGeomMaker {
       geom.set("type", "ellipsoid");
       geom.set("size", mjcf_numbers({n[0], n[1], n[2]}));
     } else if (shape.kind == "mesh" || shape.kind == "cone" || shape.kind == "polyline") {
-      const std::string mesh = mjcf_mesh(draft_, part, use, subject_, where_);
-      if (mesh.empty()) return std::nullopt;
-      geom.set("type", "mesh");
-      geom.set("mesh", mesh);
+      return of_meshes(mjcf_meshes(draft_, part, visual, subject_, where_), geom, part.X_BS);
     } else {
       return lost(if_lost, shape.kind);
     }
     set_placement(geom, part.X_BS);
-    return geom;
+    return {std::move(geom)};
+  }
+
+  std::vector<MjcfElement> of_meshes(const std::vector<MjcfMesh>& meshes, MjcfElement geom,
+                                     const model::Pose& X_BS) {
+    geom.set("type", "mesh");
+    std::vector<MjcfElement> geoms;
+    for (const MjcfMesh& mesh : meshes) {
+      MjcfElement& each = geoms.emplace_back(geom);
+      each.set("mesh", mesh.name);
+      set_placement(each, X_BS);
+      if (mesh.look) set_mjcf_look(draft_, each, mesh.material, *mesh.look);
+    }
+    return geoms;
   }
 
   /// MuJoCo has planes on what never moves.
-  std::optional<MjcfElement> plane(const Part& part, MjcfElement geom, NoteKind if_lost) {
+  std::vector<MjcfElement> plane(const Part& part, MjcfElement geom, NoteKind if_lost) {
     if (!draft_.fixed[index_]) return lost(if_lost, "plane on a moving body");
     const auto& n = part.shape.numbers;
     geom.set("type", "plane");
     geom.set("size", mjcf_numbers({0, 0, kPlaneGrid}));
     const model::Pose X_SN{{}, rotation_of_z({n[0], n[1], n[2]})};
     set_placement(geom, compose(part.X_BS, X_SN));
-    return geom;
+    return {std::move(geom)};
   }
 
   // --- looks ---
 
   void set_look(MjcfElement& geom, const Part& part, const model::Visual& visual) {
-    take_material(visual);
-    if (!part.color) return;
-    const robot::Color& c = *part.color;
-    const std::string rgba = mjcf_numbers({c.r, c.g, c.b, c.a});
+    const auto has = [&geom](std::string_view name) {
+      return std::any_of(geom.attributes.begin(), geom.attributes.end(),
+                         [name](const auto& each) { return each.first == name; });
+    };
+    if (has("rgba") || has("material")) return;
     const std::string& name = visual.material.name.value;
-    if (name.empty()) return geom.set("rgba", rgba);
-    std::string& known = draft_.material_names[name + '\n' + rgba];
-    if (known.empty()) {
-      known = draft_.name_for("material", name);
-      draft_.asset.add({"material", {{"name", known}, {"rgba", rgba}}});
-    }
-    geom.set("material", known);
+    if (look_) return set_mjcf_look(draft_, geom, name, *look_);
+    if (part.color) set_mjcf_look(draft_, geom, name, {*part.color});
+  }
+
+  /// What the model says of a shape's look, where `Lookups` say nothing of it: a picture, a script.
+  std::optional<robot::Look> look_of(const model::Visual& visual,
+                                     const std::optional<robot::Color>& color) const {
+    if (!draft_.options.looks || !visual.material.written) return std::nullopt;
+    const auto* const first = draft_.root().visuals.data();
+    const auto looks =
+        draft_.options.looks({static_cast<std::uint32_t>(&visual - first)}, mesh::TriangleMesh());
+    if (looks.empty() || (color && looks[0].picture.empty())) return std::nullopt;
+    return looks[0];
   }
 
   void take_material(const model::Visual& visual) {
@@ -182,17 +210,54 @@ class MjcfGeomMaker {
     const model::Material& material = visual.material;
     if (!material.written || material.site.span.nowhere()) return;
     ledger.take(material.site);
-    if (!material.script.span.nowhere()) {
-      ledger.lose(material.script, {.kind = NoteKind::kMjcfLook,
-                                    .subject = subject_,
-                                    .written = "material script " + material.name.value});
-    }
+    if (!material.script.span.nowhere()) take_script(visual);
     ledger.take(material.name);
     ledger.take(visual.transparency);
     const xml::Element element = draft_.source.source.documents.element(material.site);
     for (const std::string_view part : {"color", "ambient", "diffuse"}) {
       if (const auto child = element.child(part)) ledger.take_all(*child);
     }
+    if (!look_ || look_->picture.empty()) return;
+    if (const auto texture = element.child("texture")) take_picture(*texture);
+    for (const model::RobotMaterial& named : draft_.root().materials) {
+      if (named.name.value != material.name.value || material.name.value.empty()) continue;
+      const auto texture = draft_.source.source.documents.element(named.site).child("texture");
+      if (texture) take_picture(*texture);
+    }
+    const auto pbr = element.child("pbr");
+    if (!pbr) return;
+    ledger.take(*pbr);
+    for (const xml::Element workflow : pbr->children()) {
+      const auto map = workflow.child("albedo_map");
+      if (!map) continue;
+      ledger.take(workflow);
+      take_picture(*map);
+    }
+  }
+
+  void take_script(const model::Visual& visual) {
+    const model::Material& material = visual.material;
+    Note note{.kind = NoteKind::kMjcfLook,
+              .where = material.script.span,
+              .subject = subject_,
+              .written = "material script " + material.name.value};
+    if (!look_) return draft_.ledger.lose(material.script, std::move(note));
+    draft_.ledger.take_all(material.script, Outcome::kSubstituted);
+    note.outcome = Outcome::kSubstituted;
+    note.instead = look_->picture.empty() ? "its color" : "its color and texture";
+    draft_.ledger.note(std::move(note));
+  }
+
+  /// The element is told once, however many visuals it is for.
+  void take_picture(xml::Element element) {
+    if (!draft_.told_pictures.insert({element.span().source, element.span().begin}).second) return;
+    draft_.ledger.take_all(element, Outcome::kRewritten);
+    draft_.ledger.note({.kind = NoteKind::kMjcfLook,
+                        .outcome = Outcome::kRewritten,
+                        .where = element.span(),
+                        .subject = subject_,
+                        .written = "texture " + std::string(file_name(look_->picture)),
+                        .instead = "a PNG in assets/"});
   }
 
   MjcfDraft& draft_;
@@ -201,6 +266,7 @@ class MjcfGeomMaker {
   std::vector<MjcfElement> geoms_;
   std::string subject_;
   Span where_;
+  std::optional<robot::Look> look_;  ///< of the visual at hand
 };
 
 }  // namespace

@@ -53,7 +53,7 @@ std::optional<mesh::Vector3> plane_of(const TriangleMesh& mesh) {
   return normal;
 }
 
-/// With its back behind it.
+/// With its back behind it, on which the picture is the same.
 TriangleMesh thickened(TriangleMesh mesh, const mesh::Vector3& normal) {
   const double thickness = kThickness * mesh::diagonal(mesh::bounds_of(mesh.positions));
   const auto count = static_cast<std::uint32_t>(mesh.positions.size());
@@ -61,13 +61,18 @@ TriangleMesh thickened(TriangleMesh mesh, const mesh::Vector3& normal) {
     mesh.positions.push_back(mesh.positions[i] - thickness * normal);
   }
   const std::size_t triangles = mesh.triangles.size();
+  auto& texture = mesh.corners.texture;
   for (std::size_t i = 0; i < triangles; ++i) {
-    auto& [a, b, c] = mesh.triangles[i];
-    if (dot(mesh::area_vector(mesh::facet(mesh, mesh.triangles[i])), normal) < 0) std::swap(b, c);
-    const mesh::Triangle back{a + count, c + count, b + count};
-    mesh.triangles.push_back(back);
+    if (dot(mesh::area_vector(mesh::facet(mesh, mesh.triangles[i])), normal) < 0) {
+      mesh::turn_over(mesh, i);
+    }
+    const auto [a, b, c] = mesh.triangles[i];
+    mesh.triangles.push_back({a + count, c + count, b + count});
+    if (!texture.empty()) texture.push_back({texture[i][0], texture[i][2], texture[i][1]});
   }
-  return mesh::compacted(mesh.positions, std::move(mesh.triangles));
+  mesh.parts = {{.count = mesh.triangles.size()}};
+  mesh::compact(mesh);
+  return mesh;
 }
 
 }  // namespace

@@ -112,11 +112,15 @@ std::span<const Row> mjcf_rows() {
               "without the shape, but touches nothing with it.",
        .what_to_do = "Make the file known: `--model-path DIR` or `--package NAME=DIR`."},
       {.rule = {"convert-mjcf-look", NoteKind::kMjcfLook, Severity::kInfo},
-       .message = "{written} is lost",
-       .summary = "colors or textures are not in the result",
-       .why = "A mesh is written as STL, which has no colors; scripts, lighting and physically "
-              "based materials are the renderer's own.",
-       .what_to_do = "Give the geom an `rgba` or a `material` where the looks matter."},
+       .message =
+           [](const convert::Note& note) {
+             return note.instead.empty() ? "{written} is lost" : "{written} becomes {instead}";
+           },
+       .summary = "colors or textures are others in the result",
+       .why = "MuJoCo has a color and a texture for each geom, and reads PNG. Lighting and "
+              "physically based materials are the renderer's own.",
+       .what_to_do = "Look at the result; give a geom an `rgba` or a `material` where the looks "
+                     "matter."},
       {.rule = {"convert-mjcf-sensor", NoteKind::kMjcfSensor, Severity::kInfo},
        .message = "sensor {written} becomes {instead}; rate, noise and topic are lost",
        .summary = "a sensor becomes MuJoCo's own",
