@@ -62,6 +62,7 @@ set(rigor_public_headers
   rigor/mass/resolve.h
   rigor/mass/total.h
   rigor/robot/compare.h
+  rigor/robot/look.h
   rigor/robot/lookups.h
   rigor/robot/robot.h
   rigor/convert/from_mjcf.h

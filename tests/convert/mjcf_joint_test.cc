@@ -142,6 +142,15 @@ TEST(MjcfJoint, GearboxIsAnEqualityOfTheJointsThatItCouples) {
   EXPECT_EQ(lost.notes(NoteKind::kJointTypeLost).size(), 1U);
 }
 
+TEST(MjcfJoint, AJointOfNoKnownTypeHoldsItsChildAndIsNamedByNothing) {
+  const MjcfConverted arm(
+      two_links("hinge", mjcf_axis("<limit><lower>0</lower><upper>0</upper></limit>")), {},
+      author::Losses::kAllowed);
+  EXPECT_EQ(arm.notes(NoteKind::kJointTypeLost).size(), 1U);
+  EXPECT_TRUE(arm.all("joint").empty());
+  EXPECT_TRUE(arm.all("equality").empty());
+}
+
 TEST(MjcfJoint, ActuatorsGiveTheEffortWhateverTheirKind) {
   const MjcfConverted position(kGripper, {.actuators = MjcfActuators::kPosition});
   EXPECT_EQ(position.attribute("position", "l", "ctrlrange"), "0 0.04");

@@ -47,6 +47,35 @@ TEST(LspCompletion, ElementsAreThoseOfThePlaceAndVersion) {
   EXPECT_TRUE(joint.contains("/joint>"));
 }
 
+/// What is offered for the parent of a joint in a robot of 300 links, l0 to l299, behind what was typed.
+Json offered_of_many(const std::string& typed) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  std::string text = "<robot name='r'>";
+  for (int i = 0; i < 300; ++i) text += "<link name='l" + std::to_string(i) + "'/>";
+  text += "<joint name='j' type='fixed'><parent link='" + typed + "'/></joint></robot>";
+  editor.open("/ws/a.urdf", text);
+  return editor.request("textDocument/completion",
+                        editor.at("/ws/a.urdf", "parent link='", 13 + typed.size()));
+}
+
+TEST(LspCompletion, OfManyNamesThoseThatFitComeWithAWordThatThereIsMore) {
+  const Json all = offered_of_many("");
+  EXPECT_EQ(all["isIncomplete"], true);
+  EXPECT_EQ(all["items"].size(), 200U);
+  const Json some = offered_of_many("L7");
+  std::set<std::string> labels;
+  for (const Json& item : some["items"]) labels.insert(item["label"]);
+  std::set<std::string> expected;
+  for (int i = 0; i < 300; ++i) {
+    const std::string number = std::to_string(i);
+    if (number.find('7') != std::string::npos) expected.insert("l" + number);
+  }
+  EXPECT_EQ(labels, expected);
+  const Json exact = offered_of_many("l29");
+  EXPECT_EQ(exact["items"][0]["label"], "l29");
+}
+
 TEST(LspCompletion, AttributesAndTheirValues) {
   MemoryDisk disk;
   Editor editor(disk);

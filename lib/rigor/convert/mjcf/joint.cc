@@ -124,7 +124,8 @@ std::vector<std::string> degree_names(MjcfDraft& draft, const robot::Joint& join
     return draft.name_for("joint", joint.name + end);
   };
   switch (joint.type) {
-    case JointType::kFixed: return {};
+    case JointType::kFixed:
+    case JointType::kUnknown: return {};
     case JointType::kBall:
     case JointType::kFloating: return {own("")};
     case JointType::kUniversal:
@@ -149,16 +150,13 @@ std::vector<std::vector<std::string>> mjcf_joint_names(MjcfDraft& draft) {
 std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t index) {
   const robot::Joint& joint = draft.robot().joints[index];
   const std::vector<std::string>& names = draft.joint_names[index];
-  if (joint.type == JointType::kFixed || names.empty()) return {};
+  if (joint.type == JointType::kUnknown) lose_type(draft, joint);
+  if (names.empty()) return {};
   tell_type(draft, joint);
   if (joint.type == JointType::kFloating) {
     return free_joints(draft, names[0], joint.parent == draft.assembly.world);
   }
   if (joint.type == JointType::kBall) return {{"joint", {{"name", names[0]}, {"type", "ball"}}}};
-  if (joint.type == JointType::kUnknown) {
-    lose_type(draft, joint);
-    return {};
-  }
   if (joint.axes.empty()) tell_axis(draft, joint, {});
   std::vector<MjcfElement> elements;
   for (std::size_t k = 0; k < joint.axes.size() && k < names.size(); ++k) {

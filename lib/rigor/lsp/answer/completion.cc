@@ -40,6 +40,9 @@ enum class ItemKind : int {
 /// Of the protocol's InsertTextFormat.
 constexpr int kSnippetFormat = 2;
 
+/// A robot of 30,000 lines has 1,600 links.
+constexpr std::size_t kMostNames = 200;
+
 struct Snippet {
   std::string_view root;
   std::string_view parent;
@@ -97,6 +100,7 @@ class Completer {
     }
   }
 
+  /// An array, or a list that says that there is more.
   Json items() && {
     switch (cursor_.at) {
       case XmlCursor::At::kTagName: tag_names(); break;
@@ -106,7 +110,8 @@ class Completer {
       case XmlCursor::At::kText: text_value(); break;
       case XmlCursor::At::kElsewhere: break;
     }
-    return std::move(items_);
+    if (!incomplete_) return std::move(items_);
+    return {{"isIncomplete", true}, {"items", std::move(items_)}};
   }
 
  private:
@@ -262,14 +267,37 @@ class Completer {
   void names(author::NameKinds kinds) {
     Analysis& readable = document_.readable(state_.environment());
     const std::uint32_t at = document_.to_readable(offset_);
-    for (const std::string& name :
-         readable.names().visible(readable.path(), readable.is_template() ? UINT32_MAX : at, kinds))
+    for (const std::string& name : fitting(readable.names().visible(
+             readable.path(), readable.is_template() ? UINT32_MAX : at, kinds)))
       add(name, ItemKind::kReference, name);
     if (kinds.has(author::NameKind::kFrame) || element() == "parent") {
       for (const std::string_view name : {"world", "__model__"}) {
         if (root() == "sdf") add(name, ItemKind::kReference, name);
       }
     }
+  }
+
+  /// Of more names than anybody reads those that what was typed may become, which begin with it first. The client
+  /// asks again with the next letter.
+  std::vector<std::string> fitting(std::vector<std::string> names) {
+    if (names.size() <= kMostNames) return names;
+    const std::string_view typed = cursor_.typed;
+    std::erase_if(names, [typed](const std::string& name) { return !may_become(typed, name); });
+    std::stable_partition(names.begin(), names.end(),
+                          [typed](const std::string& name) { return name.starts_with(typed); });
+    if (names.size() > kMostNames) names.resize(kMostNames);
+    incomplete_ = true;
+    return names;
+  }
+
+  /// Whether its letters stand in the name in their order, as clients match.
+  static bool may_become(std::string_view typed, std::string_view name) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    std::size_t matched = 0;
+    for (const char c : name) {
+      if (matched < typed.size() && lower(typed[matched]) == lower(c)) ++matched;
+    }
+    return matched == typed.size();
   }
 
   void plugins() {
@@ -332,6 +360,7 @@ class Completer {
   std::vector<author::TemplateName> names_;
   std::uint32_t begin_ = 0;  // of what is replaced, where that is not all that was typed
   std::set<std::string> labels_;
+  bool incomplete_ = false;
   Json items_ = Json::array();
 };
 

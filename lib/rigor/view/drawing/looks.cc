@@ -4,11 +4,12 @@
 #include <rigor/view/drawing/looks.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <charconv>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include <rigor/view/drawing/materials.h>
 #include <rigor/view/drawing/source_elements.h>
@@ -34,14 +35,22 @@ Picture squared(const Picture& picture) {
 }
 
 /// The shortest decimal that is this 32-bit number: 0.7, not 0.699999988.
-double shortest(float value) { return std::stod(fmt::format("{}", value)); }
+double shortest(float value) {
+  std::array<char, 32> text{};
+  const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double result = value;
+  std::from_chars(text.data(), end, result);
+  return result;
+}
 
 robot::Look look_of(const Surface& surface) {
   const Color& c = surface.color;
   robot::Look look{{shortest(c.r), shortest(c.g), shortest(c.b), shortest(c.a)}};
   if (!surface.texture) return look;
-  look.picture = surface.texture_path.empty() ? fmt::format("#{}", fmt::ptr(surface.texture.get()))
-                                              : surface.texture_path;
+  look.picture = surface.texture_path;
+  if (look.picture.empty()) {
+    look.picture = '#' + std::to_string(reinterpret_cast<std::uintptr_t>(surface.texture.get()));
+  }
   look.png = [picture = surface.texture](robot::PictureShape shape) {
     const bool is_square = picture->width == picture->height;
     return to_png(shape == robot::PictureShape::kAsItIs || is_square ? *picture
