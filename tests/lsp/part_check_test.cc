@@ -154,6 +154,70 @@ TEST_F(LspPartCheck, AKeyElsewhereIsSeenAgainstTheCheckBeforeIt) {
   EXPECT_EQ(editor.diagnostics(kLargePath), fresh_large(disk, text));
 }
 
+class LspTemplateCheck : public ::testing::Test {
+ protected:
+  static constexpr const char* kPath = "/ws/r.urdf.xacro";
+
+  LspTemplateCheck() : editor(disk) {
+    editor.session().set_large(1);
+    type(
+        "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
+        "<xacro:property name='low' value='2'/>\n"
+        "<link name='a'/>\n<link name='b'/>\n"
+        "<joint name='j' type='revolute'><parent link='a'/><child link='b'/>\n"
+        "<axis xyz='0 0 1'/>\n"
+        "<limit lower='${low}' upper='1' effort='1' velocity='1'/></joint>\n</robot>\n");
+    editor.work();
+  }
+
+  std::vector<std::string> type(const std::string& now) {
+    const bool is_open = !text.empty();
+    text = now;
+    if (!is_open) editor.open(kPath, text);
+    editor.type(kPath, text);
+    editor.work_on_keys();
+    return editor.rules(kPath);
+  }
+  Json fresh() {
+    Editor other(disk);
+    other.open(kPath, text);
+    return other.diagnostics(kPath);
+  }
+
+  MemoryDisk disk{test::Files{}};
+  Editor editor;
+  std::string text;
+};
+
+TEST_F(LspTemplateCheck, WhatExpandingShowsIsNewAndTheModelsFindingsMove) {
+  ASSERT_TRUE(shows(editor.rules(kPath), "joint-limit-inverted"));
+  const auto moved =
+      type(with_replaced(text, "<link name='a'/>", "<!-- two\nlines -->\n<link name='a'/>"));
+  EXPECT_TRUE(shows(moved, "joint-limit-inverted"));
+  EXPECT_EQ(editor.diagnostics(kPath), fresh());
+  EXPECT_TRUE(editor.session().wants_whole_check());
+  editor.work();
+  EXPECT_EQ(editor.diagnostics(kPath), fresh());
+}
+
+TEST_F(LspTemplateCheck, WhatTheModelShowsComesWithTheWhole) {
+  const auto at_once = type(with_replaced(text, "child link='b'", "child link='c'"));
+  EXPECT_FALSE(shows(at_once, "undefined-reference"));
+  editor.work();
+  EXPECT_EQ(editor.diagnostics(kPath), fresh());
+  EXPECT_NE(fresh().dump().find("'c'"), std::string::npos);
+}
+
+TEST_F(LspTemplateCheck, ATemplateThatCannotBeExpandedIsShownAtOnce) {
+  const std::string whole = text;
+  type(with_replaced(text, "${low}", "${lw}"));
+  EXPECT_EQ(editor.diagnostics(kPath), fresh());
+  EXPECT_NE(fresh().dump().find("lw"), std::string::npos);
+  EXPECT_TRUE(shows(type(whole), "joint-limit-inverted"));
+  editor.work();
+  EXPECT_EQ(editor.diagnostics(kPath), fresh());
+}
+
 TEST_F(LspPartCheck, AClientThatOnlyPullsGetsTheWhole) {
   Json capabilities = Editor::default_capabilities();
   capabilities["textDocument"]["diagnostic"] = Json::object();

@@ -94,6 +94,33 @@ TEST(LspTypingCorpus, RandomEditsAreCheckedAsIfTheTextWereNew) {
   EXPECT_GE(edits, rigor::test::part_of(1'000));
 }
 
+TEST(LspTypingCorpus, ATemplateThatReadsMuchIsCheckedAsIfItWereNew) {
+  RIGOR_NEEDS_CORPUS();
+  const std::string templates = rigor::test::corpus() + "/../corpus-xacro";
+  if (!std::filesystem::exists(templates)) GTEST_SKIP() << "there is no corpus-xacro";
+  RealDisk disk;
+  std::mt19937 random(29);
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(templates)) {
+    const std::string path = entry.path().lexically_normal().string();
+    if (entry.path().extension() != ".xacro" || !rigor::test::in_part(path)) continue;
+    std::string text = rigor::test::read_file(path);
+    if (text.size() < 100 || text.size() > 20'000 || random() % 8 != 0) continue;
+    ++files;
+    Editor editor(disk, Editor::default_capabilities(),
+                  std::string(std::filesystem::path(path).parent_path()));
+    editor.session().set_large(1);
+    editor.open(path, text);
+    for (int i = 0; i < 4; ++i) {
+      const std::size_t from = random() % text.size();
+      text.replace(random() % text.size(), random() % 6, text.substr(from, random() % 6));
+      editor.change(path, text);
+      EXPECT_EQ(editor.diagnostics(path), fresh(disk, path, text)) << path << " edit " << i;
+    }
+  }
+  EXPECT_GE(files, rigor::test::part_of(40));
+}
+
 /// Of findings: what they are and where.
 std::multiset<std::string> finding_keys(const Json& diagnostics) {
   std::multiset<std::string> keys;

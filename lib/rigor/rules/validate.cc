@@ -476,8 +476,8 @@ class Run {
   void check_expansion(const read::File& file, const std::string& arguments, Checked& checked,
                        TemplateRun& run) {
     // A file of macros that a hook names by itself is no robot without links.
-    const bool is_model =
-        file.expanded && file.expanded->ok() && makes_robot(file) && !is_srdf_template(file.path);
+    const bool is_model = options_.template_depth == TemplateDepth::kModel && file.expanded &&
+                          file.expanded->ok() && makes_robot(file) && !is_srdf_template(file.path);
     run.is_whole = run.is_whole && is_model;
     read::File bare;
     bare.path = file.path;

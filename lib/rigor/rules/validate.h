@@ -57,6 +57,9 @@ enum class MeshListing : std::uint8_t { kNone, kListed };
 /// conditionals depend on, at least once as well.
 enum class ArgumentSets : std::uint8_t { kGiven, kAll };
 
+/// Of templates the model that they make is checked, or only that they can be expanded.
+enum class TemplateDepth : std::uint8_t { kModel, kExpansion };
+
 struct ValidateOptions {
   /// Files and folders, as the user wrote them. A folder is walked for what it holds.
   std::vector<std::string> paths;
@@ -65,6 +68,7 @@ struct ValidateOptions {
   /// the resolver's paths have; none means these alone. Asked once a template, from one thread.
   std::function<std::vector<read::TemplateArguments>(const std::string& path)> arguments_for;
   ArgumentSets argument_sets = ArgumentSets::kGiven;
+  TemplateDepth template_depth = TemplateDepth::kModel;
   Selection selection;
   /// The selection for the file at a path, where files differ; `selection` is for all when empty. Called
   /// once a file, from one thread.

@@ -24,6 +24,13 @@ std::string_view Sources::path(SourceId id) const { return at(id).path; }
 
 std::string_view Sources::bytes(SourceId id) const { return at(id).bytes; }
 
+std::size_t Sources::total_bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t total = 0;
+  for (const Source& source : sources_) total += source.bytes.size();
+  return total;
+}
+
 std::string_view Sources::bytes(Span span) const {
   if (span.nowhere()) return {};
   return bytes(span.source).substr(span.begin, span.size());

@@ -32,6 +32,8 @@ class Sources {
   std::string_view bytes(SourceId id) const;
   std::string_view bytes(Span span) const;  ///< empty for a span that stands nowhere
 
+  std::size_t total_bytes() const;  ///< of all of them
+
   /// Line and column of a byte offset. A byte-order mark has no column. Linear in the offset: when
   /// many positions of one source are wanted, make one `LineTable`.
   Position position(SourceId id, std::uint32_t offset) const;

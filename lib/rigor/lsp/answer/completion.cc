@@ -18,6 +18,7 @@
 #include <rigor/lsp/answer/uri_completion.h>
 #include <rigor/lsp/document/schema_place.h>
 #include <rigor/lsp/document/xml_cursor.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/rules/plugin/systems.h>
 
 namespace rigor::lsp {
@@ -178,7 +179,7 @@ class Completer {
   }
 
   void macros() {
-    if (!document_.analysis(state_.environment()).is_template()) return;
+    if (!read::is_template(document_.path())) return;
     for (const author::TemplateName& name : defined_names()) {
       if (name.kind != author::TemplateNameKind::kMacro) continue;
       std::string snippet = "xacro:" + name.name;

@@ -40,7 +40,7 @@ void BackgroundCheck::run() {
   const std::string& path = document_.path;
   whole_ = check(disk, project, path, rules::MeshPolicy::kDoNotOpen);
   const auto text = texts_.find(normalize_path(path));
-  if (text != texts_.end() && text->second->size() >= PartCheck::kLargeBytes)
+  if (text != texts_.end() && PartCheck::is_worth_it(path, *text->second, whole_))
     parts_ = PartCheck::of(path, *text->second);
   if (!opens_meshes() || stopped()) return;
   checked_ = check(disk, project, path, rules::MeshPolicy::kOpen);

@@ -64,8 +64,10 @@ CheckedDocument check_with(const rules::ValidateOptions& options, const EditorDi
 }  // namespace
 
 CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
-                      rules::MeshPolicy meshes) {
-  return check_with(check_options(project, path, meshes), disk, project, path);
+                      rules::MeshPolicy meshes, rules::TemplateDepth depth) {
+  rules::ValidateOptions options = check_options(project, path, meshes);
+  options.template_depth = depth;
+  return check_with(options, disk, project, path);
 }
 
 CheckedDocument check_text(const EditorDisk& disk, const Project& project, const std::string& path,

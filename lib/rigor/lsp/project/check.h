@@ -31,7 +31,8 @@ rules::BaselinePlace baseline_place(const std::string& path);
 
 /// With kDoNotOpen no mesh file is read, as while somebody types.
 CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
-                      rules::MeshPolicy meshes);
+                      rules::MeshPolicy meshes,
+                      rules::TemplateDepth depth = rules::TemplateDepth::kModel);
 
 /// The same of a text in place of that of the file at a path.
 CheckedDocument check_text(const EditorDisk& disk, const Project& project, const std::string& path,

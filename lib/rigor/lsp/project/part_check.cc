@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/lsp/document/text_difference.h>
 #include <rigor/read/template/template_expander.h>
 
 namespace rigor::lsp {
@@ -34,6 +33,11 @@ bool looks_at_a_part(const Diagnostic& finding) {
 /// What is found in a text that is not well-formed: nothing is said of what it may lack.
 bool is_found_in_broken(const Diagnostic& finding) {
   return finding.category == "xml" || finding.category == "schema";
+}
+
+/// What is found in a template without the model that it makes.
+bool is_of_expansion(const Diagnostic& finding) {
+  return finding.category == "xml" || finding.category == "xacro";
 }
 
 /// Gives every place of a finding to `move`, which returns where it is now, or nothing: then the finding is of no
@@ -127,8 +131,13 @@ PartCheck::PartCheck(std::string path, std::string text)
       text_(std::make_unique<const std::string>(std::move(text))),
       document_(xml::parse_own(*text_, kOwn)) {}
 
+bool PartCheck::is_worth_it(const std::string& path, const std::string& text,
+                            const CheckedDocument& checked, std::size_t large) {
+  const bool counts_all = read::is_template(path) && checked.sources;
+  return (counts_all ? checked.sources->total_bytes() : text.size()) >= large;
+}
+
 std::optional<PartCheck> PartCheck::of(const std::string& path, const std::string& text) {
-  if (read::is_template(path)) return std::nullopt;
   PartCheck parts(path, text);
   if (!parts.document_.complete()) return std::nullopt;
   return parts;
@@ -160,12 +169,42 @@ const PartCheck::Before& PartCheck::before(const Excerpt& excerpt, const EditorD
   return *before_;
 }
 
+/// A template that cannot be expanded makes no model.
+std::optional<CheckedDocument> PartCheck::check_expansion(const EditorDisk& disk,
+                                                          const Project& project,
+                                                          const std::string& text,
+                                                          const TextChange& change) {
+  CheckedDocument checked = lsp::check(disk, project, path_, rules::MeshPolicy::kDoNotOpen,
+                                       rules::TemplateDepth::kExpansion);
+  const auto& found = checked.result.diagnostics.list();
+  const bool fails = std::any_of(found.begin(), found.end(), [](const Diagnostic& finding) {
+    return is_of_expansion(finding) && finding.severity == Severity::kError;
+  });
+  if (fails) return checked;
+  if (checked.result.files.empty() || checked.sources->bytes(kOwn) != text) return std::nullopt;
+  OtherSources others(*whole_.sources, *checked.sources);
+  const auto move = [&](Span span) -> std::optional<Span> {
+    return is_own(span) ? after(change, span) : others.moved(span);
+  };
+  for (const Diagnostic& finding : whole_.result.diagnostics.list()) {
+    if (is_of_expansion(finding) || (is_own(finding.where) && touches(change, finding.where)))
+      continue;
+    Diagnostic kept = finding;
+    if (move_places(kept, move)) checked.result.diagnostics.add(std::move(kept));
+  }
+  checked.result.diagnostics.sort();
+  checked.result.files = whole_.result.files;
+  checked.asked_files.insert(whole_.asked_files.begin(), whole_.asked_files.end());
+  return checked;
+}
+
 std::optional<CheckedDocument> PartCheck::check(const EditorDisk& disk, const Project& project,
                                                 const std::string& text) {
   if (whole_.result.files.size() != 1 || whole_.sources->bytes(kOwn) != *text_) return std::nullopt;
   const TextChange change = difference(*text_, text);
   if (change.end - change.begin > kMaxReplacedBytes) return std::nullopt;
   const bool is_same = change.begin == change.end && change.size == 0;
+  if (!is_same && read::is_template(path_)) return check_expansion(disk, project, text, change);
   const std::optional<Excerpt> excerpt =
       is_same ? std::nullopt : Excerpt::around(document_, change);
   if (!is_same && !excerpt) return std::nullopt;

@@ -11,6 +11,9 @@
 // Findings elsewhere are those of the check of the whole, moved. In the part, those of rules that look at an element
 // and what is in it are new: XML, schema, inertia, geometry, physics, sensors, plugins. What other rules found in it
 // stays while its bytes are as they were.
+//
+// A template has no parts, since a key may change anything in the model that it makes. Of one that reads much, what
+// expanding it shows is new, and what was found in the model stays where it moved to.
 
 #pragma once
 
@@ -23,6 +26,7 @@
 #include <utility>
 
 #include <rigor/lsp/document/excerpt.h>
+#include <rigor/lsp/document/text_difference.h>
 #include <rigor/lsp/project/check.h>
 #include <rigor/xml/document.h>
 
@@ -30,10 +34,13 @@ namespace rigor::lsp {
 
 class PartCheck {
  public:
-  /// Documents of at least so many bytes are worth it: a check of this size takes 5 ms.
+  /// Documents of at least so many bytes are worth it: a check of this size takes 5 ms. Of a template all that it
+  /// reads counts.
   static constexpr std::size_t kLargeBytes = std::size_t{64} << 10U;
+  static bool is_worth_it(const std::string& path, const std::string& text,
+                          const CheckedDocument& checked, std::size_t large = kLargeBytes);
 
-  /// Nothing of what cannot be taken in parts: a template, and a text that is not well-formed.
+  /// Nothing of a text that is not well-formed.
   static std::optional<PartCheck> of(const std::string& path, const std::string& text);
 
   /// The check of all of the text, with meshes unopened.
@@ -53,6 +60,8 @@ class PartCheck {
 
   PartCheck(std::string path, std::string text);
 
+  std::optional<CheckedDocument> check_expansion(const EditorDisk& disk, const Project& project,
+                                                 const std::string& text, const TextChange& change);
   const Before& before(const Excerpt& excerpt, const EditorDisk& disk, const Project& project);
 
   std::string path_;

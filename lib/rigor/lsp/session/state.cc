@@ -92,7 +92,6 @@ const CheckedDocument& State::checked(OpenDocument& document) {
 /// Seen against a text of which all was checked; when that is too far from this one, against the text before.
 std::optional<CheckedDocument> State::checked_in_part(LastCheck& last,
                                                       const OpenDocument& document) {
-  if (document.text().size() < large_bytes) return std::nullopt;
   if (last.parts) {
     if (auto part = last.parts->check(disk, *project, document.text())) return part;
   }
@@ -121,7 +120,7 @@ const CheckedDocument& State::checked_whole(OpenDocument& document) {
 void State::prepare_parts(const OpenDocument& document) {
   LastCheck& last = checks[document.uri()];
   if (last.prepared || !last.is_whole || last.version != document.version()) return;
-  if (document.text().size() >= large_bytes)
+  if (PartCheck::is_worth_it(document.path(), document.text(), last.checked, large_bytes))
     last.prepared = PartCheck::of(document.path(), document.text());
 }
 
