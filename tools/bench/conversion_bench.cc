@@ -23,8 +23,11 @@
 #include <fmt/core.h>
 
 #include <rigor/author/conversion.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/environment.h>
+#include <rigor/view/drawing/files.h>
+#include <rigor/view/drawing/looks.h>
 
 #include "measure.h"
 
@@ -107,8 +110,13 @@ class Subject {
                      const rigor::read::Loaded& loaded, Proof proof, Target target) const {
     const rigor::author::ConversionOptions options{
         .proof = proof, .losses = Losses::kAllowed, .out = "/nowhere/robot"};
-    if (target == Target::kMjcf)
-      return rigor::author::to_mjcf(environment_, sources, workspace, loaded, {}, options);
+    if (target == Target::kMjcf) {
+      rigor::mass::MeshReads reads(environment_.disk, environment_.workers);
+      const auto files = rigor::view::files_of(environment_.resolver, sources, reads);
+      return rigor::author::to_mjcf(environment_, sources, workspace, loaded,
+                                    {.looks = rigor::view::looks_of(loaded.root, sources, files)},
+                                    options);
+    }
     return is_urdf_ ? rigor::author::to_sdf(environment_, sources, workspace, loaded, {}, options)
                     : rigor::author::to_urdf(environment_, sources, workspace, loaded, {}, options);
   }
