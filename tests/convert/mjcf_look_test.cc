@@ -84,6 +84,17 @@ TEST(MjcfLook, AMeshOfTwoMaterialsIsTwoGeoms) {
   EXPECT_EQ(robot.notes(NoteKind::kMjcfLook).size(), 1U);
 }
 
+TEST(MjcfLook, AMeshWithoutAreaIsLost) {
+  const MjcfConverted robot(visual(mesh_of("two.obj")), {}, Losses::kAllowed,
+                            {{"two.obj",
+                              "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 2 0 0\n"
+                              "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 2\n"},
+                             {"two.mtl", kTwoMaterials}});
+  ASSERT_TRUE(robot.result.text);
+  EXPECT_TRUE(robot.all("mesh").empty());
+  EXPECT_EQ(robot.notes(NoteKind::kShapeLost).size(), 1U);
+}
+
 TEST(MjcfLook, AColorOfTheModelIsForTheWholeMesh) {
   const MjcfConverted robot =
       converted(visual(mesh_of("two.obj"),

@@ -326,6 +326,7 @@ class MjcfMesher {
       if (meshes.empty()) first_file_ = files[i];
       meshes.push_back({asset(files[i], origin), groups[i].look, groups[i].name});
     }
+    if (meshes.empty() && !files.empty()) lose(NoteKind::kShapeLost, "mesh without area");
     return meshes;
   }
 

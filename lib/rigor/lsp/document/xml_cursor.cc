@@ -8,9 +8,16 @@
 namespace rigor::lsp {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool is_bracket(char c) { return c == '<' || c == '>'; }
+bool ends_name(char c) { return is_blank(c) || is_bracket(c) || c == '/'; }
 
-bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
+/// The first from `begin` on that is so, or npos. `find_first_of` takes several times as long for each byte.
+template <class Is>
+std::size_t find_where(std::string_view text, std::size_t begin, const Is& is) {
+  while (begin < text.size() && !is(text[begin])) ++begin;
+  return begin < text.size() ? begin : std::string_view::npos;
+}
 
 /// Walks over the bytes before the place once.
 class CursorScanner {
@@ -59,7 +66,7 @@ class CursorScanner {
   }
 
   bool end_tag() {
-    const std::size_t end = text_.find_first_of("<>", at_ + 2);
+    const std::size_t end = find_where(text_, at_ + 2, is_bracket);
     if (end == std::string_view::npos) {
       cursor_.at = XmlCursor::At::kEndTagName;
       cursor_ = typed_from(at_ + 2);
@@ -77,7 +84,7 @@ class CursorScanner {
   /// A tag that is not closed before the next begins ends there.
   bool start_tag() {
     const std::size_t name_begin = at_ + 1;
-    std::size_t end = text_.find_first_of(" \t\r\n/><", name_begin);
+    std::size_t end = find_where(text_, name_begin, ends_name);
     if (end == std::string_view::npos) {
       cursor_.at = XmlCursor::At::kTagName;
       cursor_ = typed_from(name_begin);
