@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,10 @@ using Files = std::map<std::string, std::string>;
 class Editor {
  public:
   explicit Editor(const Disk& disk, Json capabilities = default_capabilities(),
-                  const std::string& folder = "/ws")
-      : session_(disk, {}, {.send = [this](const Json& message) { take(message); }}) {
+                  const std::string& folder = "/ws",
+                  std::shared_ptr<const Knowledge> knowledge = std::make_shared<const Knowledge>())
+      : session_(disk, {}, {.send = [this](const Json& message) { take(message); }}, {},
+                 std::move(knowledge)) {
     initialized_ = request("initialize",
                            {{"capabilities", std::move(capabilities)},
                             {"workspaceFolders", {{{"uri", "file://" + folder}, {"name", "ws"}}}}});

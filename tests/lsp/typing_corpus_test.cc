@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -25,10 +26,16 @@ namespace {
 
 using test::Editor;
 
+/// What sessions of this test know of the formats: what they have seen they do not share.
+const std::shared_ptr<const Knowledge>& knowledge() {
+  static const auto shared = std::make_shared<const Knowledge>();
+  return shared;
+}
+
 /// Findings of the text in a session that has seen nothing else.
 Json fresh(const Disk& disk, const std::string& path, const std::string& text) {
   Editor editor(disk, Editor::default_capabilities(),
-                std::string(std::filesystem::path(path).parent_path()));
+                std::string(std::filesystem::path(path).parent_path()), knowledge());
   editor.open(path, text);
   return editor.diagnostics(path);
 }
@@ -50,7 +57,7 @@ TEST(LspTypingCorpus, APrefixIsCheckedAsIfItWereNew) {
     if (text.empty() || text.size() > most_bytes || files >= most_files) continue;
     ++files;
     Editor editor(disk, Editor::default_capabilities(),
-                  std::string(std::filesystem::path(path).parent_path()));
+                  std::string(std::filesystem::path(path).parent_path()), knowledge());
     editor.open(path, "");
     const std::size_t step = compares_all() ? 1 : text.size() / 25 + 1;
     for (std::size_t end = 0; end <= text.size(); end += step) {
@@ -76,7 +83,7 @@ TEST(LspTypingCorpus, RandomEditsAreCheckedAsIfTheTextWereNew) {
     std::string text = rigor::test::read_file(path);
     if (text.size() < 100 || text.size() > 20'000 || edits >= most_edits) continue;
     Editor editor(disk, Editor::default_capabilities(),
-                  std::string(std::filesystem::path(path).parent_path()));
+                  std::string(std::filesystem::path(path).parent_path()), knowledge());
     editor.open(path, text);
     for (int i = 0; i < 30; ++i, ++edits) {
       const std::size_t begin = random() % text.size();
@@ -108,7 +115,7 @@ TEST(LspTypingCorpus, ATemplateThatReadsMuchIsCheckedAsIfItWereNew) {
     if (text.size() < 100 || text.size() > 20'000 || random() % 8 != 0) continue;
     ++files;
     Editor editor(disk, Editor::default_capabilities(),
-                  std::string(std::filesystem::path(path).parent_path()));
+                  std::string(std::filesystem::path(path).parent_path()), knowledge());
     editor.session().set_large(1);
     editor.open(path, text);
     for (int i = 0; i < 4; ++i) {
@@ -143,7 +150,7 @@ TEST(LspTypingCorpus, OfALargeFileThePartThatIsTypedInIsCheckedFirst) {
     const std::string whole = rigor::test::read_file(path);
     if (whole.size() < PartCheck::kLargeBytes || whole.size() > 600'000) continue;
     Editor editor(disk, Editor::default_capabilities(),
-                  std::string(std::filesystem::path(path).parent_path()));
+                  std::string(std::filesystem::path(path).parent_path()), knowledge());
     editor.open(path, whole);
     for (int i = 0; i < 6; ++i, ++edits) {
       std::string text = whole;

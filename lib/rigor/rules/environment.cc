@@ -4,6 +4,7 @@
 #include <rigor/rules/environment.h>
 
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include <rigor/schema/embedded.h>
@@ -22,22 +23,25 @@ schema::Schema embedded(std::string_view text) {
 
 }  // namespace
 
-Environment::Environment(const Disk& the_disk, read::SearchPaths paths)
-    : disk(the_disk),
-      sdf(embedded(schema::sdf_schema_text())),
-      urdf(embedded(schema::urdf_schema_text())),
-      resolver(the_disk, std::move(paths)) {}
+Knowledge::Knowledge()
+    : sdf(embedded(schema::sdf_schema_text())), urdf(embedded(schema::urdf_schema_text())) {}
 
-Environment::Environment(const Disk& the_disk, read::SearchPaths paths, std::string worker)
-    : disk(the_disk),
-      sdf(embedded(schema::sdf_schema_text())),
-      urdf(embedded(schema::urdf_schema_text())),
-      resolver(the_disk, std::move(paths)),
-      workers(std::move(worker)) {}
-
-const schema::Schema& Environment::mjcf() const {
+const schema::Schema& Knowledge::mjcf() const {
   std::call_once(mjcf_once_, [this] { mjcf_.emplace(embedded(schema::mjcf_schema_text())); });
   return *mjcf_;
 }
+
+Environment::Environment(const Disk& the_disk, read::SearchPaths paths)
+    : Environment(the_disk, std::move(paths), {}) {}
+
+Environment::Environment(const Disk& the_disk, read::SearchPaths paths, const std::string& worker,
+                         std::shared_ptr<const Knowledge> known)
+    : disk(the_disk),
+      knowledge(std::move(known)),
+      sdf(knowledge->sdf),
+      urdf(knowledge->urdf),
+      registry(knowledge->registry),
+      resolver(the_disk, std::move(paths)),
+      workers(worker.empty() ? process::Workers() : process::Workers(worker)) {}
 
 }  // namespace rigor

@@ -15,10 +15,10 @@
 
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include <rigor/process/workers.h>
 #include <rigor/read/resolver.h>
@@ -28,25 +28,41 @@
 
 namespace rigor {
 
-struct Environment {
-  Environment(const Disk& the_disk, read::SearchPaths paths);
-  /// The same with the worker's program at a path.
-  Environment(const Disk& the_disk, read::SearchPaths paths, std::string worker);
+/// What the library knows of the formats and what it checks: the same in every environment, which may share it, also
+/// across threads. It takes some milliseconds to make.
+class Knowledge {
+ public:
+  Knowledge();
 
-  const Disk& disk;
-  schema::Schema sdf;
-  schema::Schema urdf;
-  rules::Registry registry;
-  read::Resolver resolver;
-  process::Workers workers;
+  const schema::Schema sdf;
+  const schema::Schema urdf;
+  const rules::Registry registry;
 
-  /// Of MJCF: parsed by the first request, since it is as long as the others and few files need it. Safe
-  /// across threads.
+  /// Of MJCF: parsed by the first request, since it is as long as the others and few files need it.
   const schema::Schema& mjcf() const;
 
  private:
   mutable std::once_flag mjcf_once_;
   mutable std::optional<schema::Schema> mjcf_;
+};
+
+struct Environment {
+  Environment(const Disk& the_disk, read::SearchPaths paths);
+  /// With the worker's program at a path, which is looked for when it is empty, and what another environment knows.
+  Environment(const Disk& the_disk, read::SearchPaths paths, const std::string& worker,
+              std::shared_ptr<const Knowledge> known = std::make_shared<const Knowledge>());
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+  const Disk& disk;
+  std::shared_ptr<const Knowledge> knowledge;
+  const schema::Schema& sdf;
+  const schema::Schema& urdf;
+  const rules::Registry& registry;
+  read::Resolver resolver;
+  process::Workers workers;
+
+  const schema::Schema& mjcf() const { return knowledge->mjcf(); }
 };
 
 }  // namespace rigor

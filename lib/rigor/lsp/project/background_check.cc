@@ -25,18 +25,19 @@ FindingKey key_of(const Diagnostic& finding, const Sources& sources) {
 }  // namespace
 
 BackgroundCheck::BackgroundCheck(const Disk& below, OpenTexts texts, read::SearchPaths paths,
-                                 std::string worker, BackgroundDocument document,
-                                 rules::MeshPolicy meshes)
+                                 std::string worker, std::shared_ptr<const Knowledge> knowledge,
+                                 BackgroundDocument document, rules::MeshPolicy meshes)
     : disk_(below),
       texts_(std::move(texts)),
       paths_(std::move(paths)),
       worker_(std::move(worker)),
+      knowledge_(std::move(knowledge)),
       document_(std::move(document)),
       meshes_(meshes) {}
 
 void BackgroundCheck::run() {
   const EditorDisk disk(disk_, texts_);
-  const Project project(disk, paths_, worker_);
+  const Project project(disk, paths_, worker_, knowledge_);
   const std::string& path = document_.path;
   whole_ = check(disk, project, path, rules::MeshPolicy::kDoNotOpen);
   const auto text = texts_.find(normalize_path(path));

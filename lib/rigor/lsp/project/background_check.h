@@ -4,7 +4,7 @@
 // The findings of a document that take longer than a person should wait for a key: those of all of a large one, and
 // those that take a look into mesh files, which are never opened while somebody types.
 //
-//   BackgroundCheck check(below, disk.open_texts(), paths, worker, document, rules::MeshPolicy::kOpen);
+//   BackgroundCheck check(below, disk.open_texts(), paths, worker, knowledge, document, rules::MeshPolicy::kOpen);
 //   std::thread thread([&] { check.run(); });
 //   … a key: check.stop(); thread.join();
 //   if (!check.stopped()) keep(check.findings());
@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,7 +37,8 @@ class BackgroundCheck {
  public:
   /// `below` is the disk below the open texts, and outlives it.
   BackgroundCheck(const Disk& below, OpenTexts texts, read::SearchPaths paths, std::string worker,
-                  BackgroundDocument document, rules::MeshPolicy meshes);
+                  std::shared_ptr<const Knowledge> knowledge, BackgroundDocument document,
+                  rules::MeshPolicy meshes);
   BackgroundCheck(const BackgroundCheck&) = delete;
   BackgroundCheck& operator=(const BackgroundCheck&) = delete;
 
@@ -63,6 +65,7 @@ class BackgroundCheck {
   OpenTexts texts_;
   read::SearchPaths paths_;
   std::string worker_;
+  std::shared_ptr<const Knowledge> knowledge_;
   BackgroundDocument document_;
   rules::MeshPolicy meshes_;
   CheckedDocument whole_;

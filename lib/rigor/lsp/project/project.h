@@ -20,10 +20,10 @@ namespace rigor::lsp {
 class Project {
  public:
   /// The disk outlives it. `worker` is the path of rigor-worker; empty to find it.
-  Project(const EditorDisk& disk, read::SearchPaths paths, const std::string& worker)
+  Project(const EditorDisk& disk, read::SearchPaths paths, const std::string& worker,
+          std::shared_ptr<const Knowledge> knowledge)
       : settings_(disk),
-        environment_(worker.empty() ? Environment(disk, configured(std::move(paths)))
-                                    : Environment(disk, configured(std::move(paths)), worker)) {}
+        environment_(disk, configured(std::move(paths)), worker, std::move(knowledge)) {}
   Project(const Project&) = delete;
   Project& operator=(const Project&) = delete;
 

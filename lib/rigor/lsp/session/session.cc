@@ -23,8 +23,10 @@ bool drop(std::vector<std::string>& list, const std::string& value) {
 
 }  // namespace
 
-Session::Session(const Disk& disk, read::SearchPaths paths, Peer peer, std::string worker)
-    : state_(disk, std::move(paths), std::move(worker)), peer_(std::move(peer)) {}
+Session::Session(const Disk& disk, read::SearchPaths paths, Peer peer, std::string worker,
+                 std::shared_ptr<const Knowledge> knowledge)
+    : state_(disk, std::move(paths), std::move(worker), std::move(knowledge)),
+      peer_(std::move(peer)) {}
 
 void Session::receive(const Json& message) {
   if (exit_code_) return;
@@ -269,7 +271,7 @@ std::unique_ptr<BackgroundCheck> Session::background_check(std::vector<std::stri
     if (found == state_.documents.end()) continue;
     const OpenDocument& document = *found->second;
     return std::make_unique<BackgroundCheck>(
-        state_.real_disk, state_.disk.open_texts(), state_.paths, state_.worker,
+        state_.real_disk, state_.disk.open_texts(), state_.paths, state_.worker, state_.knowledge,
         BackgroundDocument{uri, document.path(), document.version()}, meshes);
   }
   return nullptr;

@@ -47,7 +47,8 @@ struct Peer {
 class Session {
  public:
   /// The disk outlives it. `worker` is the path of rigor-worker, found by itself when empty.
-  Session(const Disk& disk, read::SearchPaths paths, Peer peer, std::string worker = {});
+  Session(const Disk& disk, read::SearchPaths paths, Peer peer, std::string worker = {},
+          std::shared_ptr<const Knowledge> knowledge = std::make_shared<const Knowledge>());
 
   /// Any message; what is none is answered with an error.
   void receive(const Json& message);

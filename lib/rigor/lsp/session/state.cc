@@ -11,12 +11,14 @@
 
 namespace rigor::lsp {
 
-State::State(const Disk& below, read::SearchPaths search_paths, std::string worker_path)
+State::State(const Disk& below, read::SearchPaths search_paths, std::string worker_path,
+             std::shared_ptr<const Knowledge> known)
     : real_disk(below),
       cached_disk(below),
       disk(cached_disk),
       paths(std::move(search_paths)),
-      worker(std::move(worker_path)) {
+      worker(std::move(worker_path)),
+      knowledge(std::move(known)) {
   renew_project();
 }
 
@@ -25,7 +27,7 @@ void State::renew_project() {
   for (auto& [uri, document] : documents) document->forget();
   for (auto& [uri, check] : checks) check.forget();
   forget_robots();
-  project = std::make_unique<Project>(disk, paths, worker);
+  project = std::make_unique<Project>(disk, paths, worker, knowledge);
 }
 
 void State::forget_robots(const std::string& path) {

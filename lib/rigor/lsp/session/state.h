@@ -69,7 +69,8 @@ struct Client {
 };
 
 struct State {
-  State(const Disk& below, read::SearchPaths search_paths, std::string worker_path);
+  State(const Disk& below, read::SearchPaths search_paths, std::string worker_path,
+        std::shared_ptr<const Knowledge> known);
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -106,6 +107,7 @@ struct State {
   EditorDisk disk;  ///< above the cached one
   read::SearchPaths paths;
   std::string worker;
+  std::shared_ptr<const Knowledge> knowledge;
   std::unique_ptr<Project> project;
   Client client;
   std::map<std::string, std::unique_ptr<OpenDocument>, std::less<>> documents;  ///< by URI
