@@ -238,7 +238,7 @@ class MjcfGeomMaker {
   void take_script(const model::Visual& visual) {
     const model::Material& material = visual.material;
     Note note{.kind = NoteKind::kMjcfLook,
-              .where = material.script.span,
+              .where = material.script.name,
               .subject = subject_,
               .written = "material script " + material.name.value};
     if (!look_) return draft_.ledger.lose(material.script, std::move(note));
@@ -254,7 +254,7 @@ class MjcfGeomMaker {
     draft_.ledger.take_all(element, Outcome::kRewritten);
     draft_.ledger.note({.kind = NoteKind::kMjcfLook,
                         .outcome = Outcome::kRewritten,
-                        .where = element.span(),
+                        .where = element.name_span(),
                         .subject = subject_,
                         .written = "texture " + std::string(file_name(look_->picture)),
                         .instead = "a PNG in assets/"});

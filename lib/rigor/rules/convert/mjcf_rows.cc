@@ -29,10 +29,10 @@ std::span<const Row> mjcf_rows() {
        .what_to_do = "Nothing: the robot stands where it stood."},
       {.rule = {"convert-mjcf-joint-type", NoteKind::kMjcfJointType, Severity::kInfo},
        .message = "the {written} joint is {instead}",
-       .summary = "a joint of several degrees of freedom is several joints of one body",
+       .summary = "a joint of a type that MuJoCo lacks is several joints, or an equality",
        .why =
            "MuJoCo's joints are hinges, slides, balls and free joints; a body has as many of them "
-           "as it takes.",
+           "as it takes, and a gearbox couples two.",
        .what_to_do = "Use the names of the result for actuators and sensors: the first has the "
                      "joint's own."},
       {.rule = {"convert-mjcf-effort", NoteKind::kMjcfEffort, Severity::kInfo},
