@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <utility>
 
 #include <rigor/mass/resolve.h>
@@ -159,15 +158,12 @@ class RobotBuilder {
     }
   }
 
-  /// A gearbox is no joint where it lets one follow another; else it carries what no other joint does.
+  /// Gearboxes carry what no other joint does.
   void add_joints() {
-    gears_ = gear_couplings(root_, frames_);
-    std::set<std::uint32_t> coupling;
-    for (const GearCoupling& gear : gears_) coupling.insert(gear.gearbox.value);
     std::vector<Id<model::Joint>> gearboxes;
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
       const Id<model::Joint> id{i};
-      if (!inside(root_[id].model) || coupling.contains(i)) continue;
+      if (!inside(root_[id].model)) continue;
       // In MuJoCo a free body has a joint; elsewhere it has none.
       if (mjcf_ && root_[id].type == JointType::kFloating) continue;
       if (root_[id].type == JointType::kGearbox) {
@@ -271,7 +267,7 @@ class RobotBuilder {
   }
 
   void couple_gears() {
-    for (const GearCoupling& gear : gears_) {
+    for (const GearCoupling& gear : gear_couplings(root_, frames_)) {
       const auto at = std::find(joints_.begin(), joints_.end(), gear.follower);
       if (at == joints_.end()) continue;
       Joint& follower = robot_.joints[static_cast<std::size_t>(at - joints_.begin())];
@@ -416,10 +412,9 @@ class RobotBuilder {
   std::vector<bool> inside_;
   std::vector<Id<model::Link>> links_;    // of each body but the world
   std::vector<Id<model::Joint>> joints_;  // of each joint of the robot
-  std::vector<GearCoupling> gears_;
-  std::vector<bool> turned_;            // of each joint, whether parent and child changed places
-  std::vector<std::uint32_t> body_of_;  // of each link of the root
-  std::vector<Pose> X_ML_;              // of each body but the world
+  std::vector<bool> turned_;              // of each joint, whether parent and child changed places
+  std::vector<std::uint32_t> body_of_;    // of each link of the root
+  std::vector<Pose> X_ML_;                // of each body but the world
   std::uint32_t world_ = kNoIndex;
   bool mjcf_ = false;
 };

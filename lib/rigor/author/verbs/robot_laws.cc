@@ -4,6 +4,8 @@
 #include <rigor/author/verbs/robot_laws.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace rigor::author {
@@ -18,6 +20,21 @@ std::vector<bool> subtree_of(const robot::Robot& robot, std::uint32_t body) {
   }
   return in;
 }
+
+namespace {
+
+/// A gearbox goes with its wheels; a `<mimic>` of a joint that goes is refused before.
+void drop_gears_without_leader(robot::Robot& robot) {
+  std::set<std::string> names;
+  for (const robot::Joint& joint : robot.joints) names.insert(joint.name);
+  for (robot::Joint& joint : robot.joints) {
+    for (robot::Axis& axis : joint.axes) {
+      if (axis.follow && !names.contains(axis.follow->joint)) axis.follow.reset();
+    }
+  }
+}
+
+}  // namespace
 
 robot::Robot restricted(const robot::Robot& robot, const std::vector<bool>& kept) {
   robot::Robot result = robot;
@@ -46,6 +63,7 @@ robot::Robot restricted(const robot::Robot& robot, const std::vector<bool>& kept
     result.joints.back().parent = index[joint.parent];
     result.joints.back().child = index[joint.child];
   }
+  drop_gears_without_leader(result);
   for (const robot::Frame& frame : robot.frames) {
     if (frame.body == robot::kNoIndex || index[frame.body] == robot::kNoIndex) continue;
     result.frames.push_back(frame);

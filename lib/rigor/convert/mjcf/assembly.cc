@@ -116,6 +116,8 @@ class MjcfAssembler {
       if (is_root) roots.push_back(index[i]);
     }
     for (robot::Joint joint : robot.joints) {
+      // What it couples says so itself.
+      if (joint.type == JointType::kGearbox && joint.closes_loop) continue;
       joint.name = joint_names_.add(prefix + joint.name);
       joint.parent = index[joint.parent];
       joint.child = index[joint.child];

@@ -27,7 +27,7 @@ class MjcfCoupler {
   void couple() {
     for (std::uint32_t i = 0; i < robot_.joints.size(); ++i) {
       if (robot_.joints[i].closes_loop) {
-        if (robot_.joints[i].type != JointType::kGearbox) close_loop(robot_.joints[i]);
+        close_loop(robot_.joints[i]);
       } else {
         couple_axes(i);
       }
