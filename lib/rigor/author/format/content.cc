@@ -3,6 +3,7 @@
 
 #include <rigor/author/format/content.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace rigor::author {
@@ -23,9 +24,7 @@ ContentKind kind_of(const Open& open, std::string_view name) {
 
 }  // namespace
 
-bool is_blank(std::string_view text) {
-  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
+bool is_blank(std::string_view text) { return std::all_of(text.begin(), text.end(), is_space); }
 
 std::vector<Content> contents(const xml::Document& document) {
   std::vector<Content> found(document.element_count());

@@ -27,7 +27,10 @@ struct Content {
 /// By `Element::index()`, of a complete document.
 std::vector<Content> contents(const xml::Document& document);
 
-/// Whether text is white space, as XML has it.
+/// White space, as XML has it.
+constexpr bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+/// Whether text is white space.
 bool is_blank(std::string_view text);
 
 }  // namespace rigor::author

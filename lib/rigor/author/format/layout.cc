@@ -4,6 +4,7 @@
 #include <rigor/author/format/layout.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -33,7 +34,7 @@ class Layout {
     const auto& tokens = document_.tokens();
     for (std::uint32_t i = 0; i < tokens.size(); ++i) i = place(i);
     const auto end = static_cast<std::uint32_t>(document_.bytes().size());
-    replace(gap_begin_, end, std::string(line_end_));
+    replace(gap_begin_, end, line_end_);
     return std::move(edits_);
   }
 
@@ -55,7 +56,7 @@ class Layout {
         const xml::Element element = document_.element(open_.back());
         open_.pop_back();
         begin_line(token.begin, BlankLine::kNone);
-        replace(token.begin, token.end, end_tag_text(element));
+        replace_end_tag(token, element);
         pass(token.end, Behind::kOther);
         return index;
       }
@@ -80,7 +81,9 @@ class Layout {
     const xml::Element element = document_.element(next_element_++);
     const Content& content = contents_[element.index()];
     begin_line(token.begin, BlankLine::kKeep);
-    replace(token.begin, token.end, tag_text(document_, element, style_, indent(), line_end_));
+    text_.clear();
+    add_tag(text_, document_, element, style_, indent(), line_end_);
+    replace(token.begin, token.end, text_);
     if (token.kind == TokenKind::kEmptyTag) {
       pass(token.end, Behind::kOther);
       return index;
@@ -93,7 +96,7 @@ class Layout {
     }
     const Token& end = document_.tokens()[content.end_token];
     if (content.kind != ContentKind::kVerbatim) place_text(token.end, end.begin);
-    replace(end.begin, end.end, end_tag_text(element));
+    replace_end_tag(end, element);
     skip_elements(index + 1, content.end_token);
     pass(end.end, Behind::kOther);
     return content.end_token;
@@ -105,7 +108,7 @@ class Layout {
     if (is_blank(text)) {
       replace(begin, end, {});
     } else if (std::optional<std::string> row = number_row(text)) {
-      replace(begin, end, *std::move(row));
+      replace(begin, end, *row);
     }
   }
 
@@ -125,25 +128,34 @@ class Layout {
   enum class BlankLine : std::uint8_t { kKeep, kNone };
 
   void begin_line(std::uint32_t at, BlankLine blank) {
-    std::string wanted;
+    text_.clear();
     if (behind_ != Behind::kNothing) {
       const std::string_view found = gap(at);
       const bool has_blank = std::count(found.begin(), found.end(), '\n') > 1;
-      wanted = line_end_;
+      text_ += line_end_;
       if (has_blank && blank == BlankLine::kKeep && behind_ != Behind::kStartTag)
-        wanted += line_end_;
+        text_ += line_end_;
     }
-    replace(gap_begin_, at, wanted + indent());
+    text_ += indent();
+    replace(gap_begin_, at, text_);
+  }
+
+  void replace_end_tag(const Token& token, xml::Element element) {
+    text_ = "</";
+    text_ += element.name();
+    text_ += '>';
+    replace(token.begin, token.end, text_);
   }
 
   std::string_view gap(std::uint32_t end) const {
     return document_.bytes().substr(gap_begin_, end - gap_begin_);
   }
 
-  std::string indent() const {
-    std::string all;
-    for (std::uint32_t level = 0; level < depth_; ++level) all += style_.indent;
-    return all;
+  /// Of the depth.
+  std::string_view indent() {
+    const std::size_t size = depth_ * style_.indent.size();
+    while (indent_.size() < size) indent_ += style_.indent;
+    return std::string_view(indent_).substr(0, size);
   }
 
   void pass(std::uint32_t end, Behind behind) {
@@ -152,14 +164,14 @@ class Layout {
   }
 
   /// Edits that touch are one: two in one place have no order.
-  void replace(std::uint32_t begin, std::uint32_t end, std::string text) {
+  void replace(std::uint32_t begin, std::uint32_t end, std::string_view text) {
     if (document_.bytes().substr(begin, end - begin) == text) return;
     if (!edits_.empty() && edits_.back().span.end == begin) {
       edits_.back().span.end = end;
       edits_.back().text += text;
       return;
     }
-    edits_.push_back({{document_.source(), begin, end}, std::move(text)});
+    edits_.push_back({{document_.source(), begin, end}, std::string(text)});
   }
 
   const xml::Document& document_;
@@ -168,6 +180,8 @@ class Layout {
   const std::string_view line_end_;
   std::vector<Edit> edits_;
   std::vector<std::uint32_t> open_;  // blocks, by index
+  std::string indent_;               // of the greatest depth so far
+  std::string text_;                 // what is written next
   std::uint32_t depth_ = 0;
   std::uint32_t next_element_ = 0;
   std::uint32_t gap_begin_ = 0;

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+
+#include <rigor/author/format/content.h>
 
 namespace rigor::author {
 namespace {
@@ -40,15 +43,18 @@ bool is_decimal(std::string_view word) {
 }  // namespace
 
 std::optional<std::string> number_row(std::string_view text) {
-  constexpr std::string_view kSpaces = " \t\r\n";
   std::string row;
-  for (std::size_t at = text.find_first_not_of(kSpaces); at != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kSpaces, at), text.size());
-    const std::string_view word = text.substr(at, end - at);
+  row.reserve(text.size());
+  const auto* at = text.begin();
+  for (;;) {
+    at = std::find_if_not(at, text.end(), is_space);
+    if (at == text.end()) break;
+    const auto* const end = std::find_if(at, text.end(), is_space);
+    const std::string_view word(at, static_cast<std::size_t>(end - at));
     if (!is_decimal(word)) return std::nullopt;
     if (!row.empty()) row += ' ';
     row += word;
-    at = text.find_first_not_of(kSpaces, end);
+    at = end;
   }
   if (row.empty()) return std::nullopt;
   return row;

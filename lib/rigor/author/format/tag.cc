@@ -3,9 +3,7 @@
 
 #include <rigor/author/format/tag.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <vector>
 
 #include <rigor/author/format/number_row.h>
 #include <rigor/xml/style.h>
@@ -32,46 +30,47 @@ char quote_for(std::string_view value, char written, FormatQuotes wanted) {
   return value.find(quote) == std::string_view::npos ? quote : written;
 }
 
-std::string attribute_text(const xml::Document& document, xml::Attribute attribute,
-                           const FormatStyle& style) {
+void add_attribute(std::string& text, const xml::Document& document, xml::Attribute attribute,
+                   const FormatStyle& style) {
   const Span span = attribute.value_span();
   const std::string_view value = document.bytes().substr(span.begin, span.size());
   const char quote = quote_for(value, document.bytes()[span.begin - 1], style.quotes);
-  std::string text(attribute.name());
+  text += attribute.name();
   text += '=';
   text += quote;
   const auto row = is_row_attribute(attribute.name()) ? number_row(value) : std::nullopt;
   text += row ? std::string_view(*row) : value;
   text += quote;
-  return text;
 }
 
 }  // namespace
 
-std::string tag_text(const xml::Document& document, xml::Element element, const FormatStyle& style,
-                     std::string_view indent, std::string_view line_end) {
-  std::vector<std::string> attributes;
-  for (const xml::Attribute attribute : element.attributes())
-    attributes.push_back(attribute_text(document, attribute, style));
+void add_tag(std::string& text, const xml::Document& document, xml::Element element,
+             const FormatStyle& style, std::string_view indent, std::string_view line_end) {
+  const std::size_t begin = text.size();
   const std::string_view close = xml::is_empty_tag(document, element) ? "/>" : ">";
-  const std::string name = '<' + std::string(element.name());
-  std::string line = name;
-  for (const std::string& attribute : attributes) line += ' ' + attribute;
-  line += close;
-  // A value that runs over lines of its own is as wide as its first.
-  const std::string_view first(line.data(), std::min(line.find('\n'), line.size()));
-  if (attributes.size() < 2 || columns(indent) + columns(first) <= style.width) return line;
-  std::string wrapped = name;
-  for (const std::string& attribute : attributes) {
-    wrapped += line_end;
-    wrapped += indent;
-    for (int level = 0; level < kAttributeLevels; ++level) wrapped += style.indent;
-    wrapped += attribute;
+  text += '<';
+  text += element.name();
+  const std::size_t name_end = text.size();
+  std::size_t attributes = 0;
+  for (const xml::Attribute attribute : element.attributes()) {
+    text += ' ';
+    add_attribute(text, document, attribute, style);
+    ++attributes;
   }
-  wrapped += close;
-  return wrapped;
+  text += close;
+  if (attributes < 2) return;
+  // A value that runs over lines of its own is as wide as its first.
+  const std::string_view line = std::string_view(text).substr(begin);
+  if (columns(indent) + columns(line.substr(0, line.find('\n'))) <= style.width) return;
+  text.resize(name_end);
+  for (const xml::Attribute attribute : element.attributes()) {
+    text += line_end;
+    text += indent;
+    for (int level = 0; level < kAttributeLevels; ++level) text += style.indent;
+    add_attribute(text, document, attribute, style);
+  }
+  text += close;
 }
-
-std::string end_tag_text(xml::Element element) { return "</" + std::string(element.name()) + '>'; }
 
 }  // namespace rigor::author

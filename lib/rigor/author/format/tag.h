@@ -13,12 +13,9 @@
 
 namespace rigor::author {
 
-/// The element's start tag, or `<a/>` where it is written so. `indent` stands before it on its line; `line_end`
-/// is what ends lines in the file.
-std::string tag_text(const xml::Document& document, xml::Element element, const FormatStyle& style,
-                     std::string_view indent, std::string_view line_end);
-
-/// `</name>`
-std::string end_tag_text(xml::Element element);
+/// Appends the element's start tag, or `<a/>` where it is written so. `indent` stands before it on its line;
+/// `line_end` is what ends lines in the file.
+void add_tag(std::string& text, const xml::Document& document, xml::Element element,
+             const FormatStyle& style, std::string_view indent, std::string_view line_end);
 
 }  // namespace rigor::author
