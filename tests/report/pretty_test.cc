@@ -135,8 +135,11 @@ TEST(Summary, SaysHowMuchWasChecked) {
   EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings; 1 include skipped");
   EXPECT_EQ(left_out(result), "");
   result.not_looked_at.push_back({"b.sdf.erb", "template: expand it first"});
-  EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings; 1 include and 1 file skipped");
+  EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings; 1 include, 1 file skipped");
   EXPECT_EQ(left_out(result), "skipped: b.sdf.erb: template: expand it first\n");
+  result.not_looked_at.push_back({"c.urdf", "assembly: meshes are not opened"});
+  EXPECT_EQ(summary(result),
+            "12 files checked: 1 error, 2 warnings; 1 include, 1 file, assembly of 1 file skipped");
 }
 
 TEST(Summary, CountsInThousands) {

@@ -134,6 +134,49 @@ TEST(ManyFindings, AreCountedAndNotAllListed) {
   EXPECT_TRUE(rest.message.find("1501 more") != std::string::npos) << rest.message;
 }
 
+/// A lamp whose collision has the diameter for a radius, and beside it what is drawn by a mesh.
+std::string lamp(const std::string& more) {
+  const auto cylinder = [](const std::string& radius) {
+    return "<geometry><cylinder radius='" + radius + "' length='0.5'/></geometry>";
+  };
+  return "<robot name='lamp'><link name='lamp'><visual>" + cylinder("0.04") +
+         "</visual><collision>" + cylinder("0.08") + "</collision>" + more + "</link></robot>";
+}
+
+struct LampRun {
+  bool sees_size = false;
+  std::vector<std::string> skipped;
+};
+
+LampRun check_lamp(const std::string& more, MeshPolicy meshes, const Selection& selection = {}) {
+  const MemoryDisk disk({{"a.urdf", lamp(more)}, {"a.stl", ""}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const ValidateResult result = validate(
+      environment, {.paths = {"a.urdf"}, .selection = selection, .meshes = meshes}, sources);
+  LampRun run;
+  for (const Diagnostic& found : result.diagnostics.list())
+    run.sees_size = run.sees_size || found.rule == "shape-size-slip";
+  for (const NotLookedAt& left : result.not_looked_at) run.skipped.push_back(left.what);
+  return run;
+}
+
+TEST(Assembly, IsLeftOutAloudOfModelsWithMeshesWhereTheseAre) {
+  const std::string mesh = "<visual><geometry><mesh filename='a.stl'/></geometry></visual>";
+  const std::vector<std::string> skipped{"assembly: meshes are not opened"};
+  const LampRun left = check_lamp(mesh, MeshPolicy::kLeaveOut);
+  EXPECT_FALSE(left.sees_size);
+  EXPECT_EQ(left.skipped, skipped);
+  const LampRun without = check_lamp("", MeshPolicy::kLeaveOut);
+  EXPECT_TRUE(without.sees_size) << "boxes and cylinders cost nothing";
+  EXPECT_TRUE(without.skipped.empty());
+  const LampRun closed = check_lamp(mesh, MeshPolicy::kDoNotOpen);
+  EXPECT_TRUE(closed.sees_size) << "an editor shows what it can at once";
+  EXPECT_TRUE(closed.skipped.empty());
+  const LampRun ignored = check_lamp(mesh, MeshPolicy::kLeaveOut, {.ignore = {"assembly"}});
+  EXPECT_TRUE(ignored.skipped.empty()) << "nobody asked for it";
+}
+
 TEST(ManyFindings, OfABinaryFileAreOneOfAKind) {
   std::string text =
       "\x7f"

@@ -196,7 +196,7 @@ class BaselineRun::Knower {
     if (run_.cut_.contains(key.path)) return false;
     const Rule* rule = run_.environment_.registry.find(key.rule);
     if (rule == nullptr) return true;  // it is gone, and its findings with it
-    if (needs_meshes(*rule) && run_.options_.meshes == MeshPolicy::kDoNotOpen) return false;
+    if (needs_meshes(*rule) && run_.options_.meshes != MeshPolicy::kOpen) return false;
     return runner(checked->second).runs(key.rule);
   }
 

@@ -19,6 +19,8 @@ struct Meshes {
   mass::MeshSurveys* surveys = nullptr;  ///< as solids
   mass::MeshFiles* files = nullptr;      ///< as files
   Turns* turns = nullptr;                ///< of those who ask for them from several threads
+  /// Whether rules of the category assembly look at models with meshes.
+  bool assembles = true;
 };
 
 }  // namespace rigor::rules

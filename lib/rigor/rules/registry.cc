@@ -50,7 +50,9 @@ std::string_view to_string(Category category) {
 }
 
 bool needs_meshes(const Rule& rule) {
-  if (rule.category == Category::kMesh || rule.category == Category::kInertia) return true;
+  constexpr std::array<Category, 3> kOfShapes{Category::kMesh, Category::kInertia,
+                                              Category::kAssembly};
+  if (std::find(kOfShapes.begin(), kOfShapes.end(), rule.category) != kOfShapes.end()) return true;
   using Kind = read::MjcfFactKind;
   return std::any_of(rule.checks.begin(), rule.checks.end(), [](const Check& check) {
     const auto* const facts = std::get_if<FactCheck<read::MjcfFact, Kind>>(&check);

@@ -95,16 +95,27 @@ bool Runner::runs(std::string_view rule) const {
 void Runner::add(const Rule& rule, const PagesInBrief& pages, Severity severity, Compat compat,
                  Grading grading) {
   active_.push_back(rule.name);  // sorted, as the registry is
+  has_assembly_ = has_assembly_ || rule.category == Category::kAssembly;
   for (const Check& check : rule.checks) {
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name, to_string(rule.category), pages.in_sdf, pages.in_urdf, pages.in_mjcf,
-                holds_for_mjcf(rule), severity, compat, grading, rule.formats, rule.refused},
+              {{rule.name, to_string(rule.category), rule.category == Category::kAssembly,
+                pages.in_sdf, pages.in_urdf, pages.in_mjcf, holds_for_mjcf(rule), severity, compat,
+                grading, rule.formats, rule.refused},
                one});
         },
         check);
   }
+}
+
+bool Runner::leaves_out_assembly(const model::Root& root, const Meshes& meshes) const {
+  if (meshes.assembles || !has_assembly_) return false;
+  const auto is_mesh = [&root](const auto& each) {
+    return root.own(each.site) && std::holds_alternative<model::Mesh>(each.geometry.shape);
+  };
+  return std::any_of(root.collisions.begin(), root.collisions.end(), is_mesh) ||
+         std::any_of(root.visuals.begin(), root.visuals.end(), is_mesh);
 }
 
 /// One file's walk: what the checks share while it lasts.
@@ -115,6 +126,7 @@ class Runner::Walk {
       : runner_(runner),
         loaded_(loaded),
         files_(meshes.files),
+        assembles_(!runner.leaves_out_assembly(loaded.root, meshes)),
         frames_(loaded.root),
         inputs_{loaded.file->path,
                 sources,
@@ -176,7 +188,7 @@ class Runner::Walk {
   /// Whether the rule has a say in this file, which its findings are then reported of.
   bool begin(const Active& active) {
     const model::Format format = loaded_.root.format;
-    if (!applies(active.formats, format)) return false;
+    if (!applies(active.formats, format) || (active.of_assembly && !assembles_)) return false;
     if (format == model::Format::kMjcf && !active.of_mjcf) return false;
     const PageInBrief& page = format == model::Format::kUrdf   ? active.in_urdf
                               : format == model::Format::kMjcf ? active.in_mjcf
@@ -305,6 +317,7 @@ class Runner::Walk {
   const Runner& runner_;
   const read::Loaded& loaded_;
   mass::MeshFiles* files_;
+  const bool assembles_;
   std::set<std::tuple<std::string, bool, double, double, double>> looked_at_;
   model::Frames frames_;
   Diagnostics diagnostics_;

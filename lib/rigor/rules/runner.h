@@ -58,6 +58,8 @@ class Runner {
 
   /// Whether a rule is among those that run.
   bool runs(std::string_view rule) const;
+  /// Whether rules of the category assembly would run, and do not: the file's shapes have meshes, which are left out.
+  bool leaves_out_assembly(const model::Root& root, const Meshes& meshes) const;
 
   /// What the rules on simulations say of each thing that a run showed, in the order of `shown`.
   std::vector<Diagnostics> run_each(const Environment& environment, const Sources& sources,
@@ -72,6 +74,7 @@ class Runner {
   struct Active {
     std::string_view rule;
     std::string_view category;
+    bool of_assembly;
     PageInBrief in_sdf;  ///< what the page says first of files of that format
     PageInBrief in_urdf;
     PageInBrief in_mjcf;
@@ -98,6 +101,7 @@ class Runner {
 
   SlotsOf<Check>::type slots_;
   std::vector<std::string_view> active_;  // names
+  bool has_assembly_ = false;
   std::size_t max_listed_;
 };
 

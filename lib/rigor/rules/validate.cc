@@ -84,7 +84,8 @@ class Run {
         reads_(environment.disk, environment.workers, turns_),
         surveys_(environment.disk, {nullptr, &reads_}),
         mesh_files_(environment.disk, mass::MeshDepth::kFile, {nullptr, &reads_}) {
-    if (options.meshes == MeshPolicy::kDoNotOpen) return;
+    meshes_.assembles = options.meshes != MeshPolicy::kLeaveOut;
+    if (options.meshes != MeshPolicy::kOpen) return;
     meshes_.surveys = options.known.surveys ? options.known.surveys : &surveys_;
     meshes_.files = options.known.files ? options.known.files : &mesh_files_;
     if (options.mesh_listing == MeshListing::kNone) return;
@@ -353,7 +354,7 @@ class Run {
     read::Loaded loaded = load(file);
     checked.summary = summarize(loaded);
     checked.source = file.source;
-    look_for_includes(loaded, checked);
+    look_beside(loaded, checked);
     list_meshes(loaded, checked);
     if (file.document) checked.suppressions = Suppressions(*file.document);
     checked.diagnostics = checked.suppressions.uncovered(
@@ -377,7 +378,10 @@ class Run {
     return read::load(reader, file);
   }
 
-  void look_for_includes(const read::Loaded& loaded, Checked& checked) const {
+  /// For what belongs to the file and is not checked in it.
+  void look_beside(const read::Loaded& loaded, Checked& checked) const {
+    if (checked.runner->leaves_out_assembly(loaded.root, meshes_))
+      checked.not_looked_at.push_back({checked.summary.path, "assembly: meshes are not opened"});
     for (const read::Fact& fact : loaded.facts) {
       if (fact.kind != read::FactKind::kUnfollowedInclude) continue;
       checked.not_looked_at.push_back({checked.summary.path, "include of " + fact.name});
@@ -486,7 +490,7 @@ class Run {
     if (is_model) loaded = load(file);
     if (checked.summary.path.empty()) {
       checked.summary = summarize(loaded);
-      look_for_includes(loaded, checked);
+      look_beside(loaded, checked);
     }
     Diagnostics found;
     if (file.expanded) {

@@ -48,7 +48,11 @@ struct Selection {
 /// The first name in the selection that is no rule and no category; nothing when all are known.
 std::optional<std::string> unknown_name(const Selection& selection, const Registry& registry);
 
-enum class MeshPolicy : std::uint8_t { kOpen, kDoNotOpen };
+enum class MeshPolicy : std::uint8_t {
+  kOpen,
+  kDoNotOpen,  ///< of an assembled robot only the shapes are seen that are no meshes
+  kLeaveOut,  ///< nor is a robot assembled that has meshes: rules of the category assembly leave it out
+};
 
 /// Whether a file's summary lists the meshes that its shapes use. Their digests take a read of each.
 enum class MeshListing : std::uint8_t { kNone, kListed };

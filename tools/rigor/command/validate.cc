@@ -80,7 +80,8 @@ class Validate final : public Command {
                           "conditionals depend on"),
           kXacroArgs)
         ->type_name("all");
-    app->add_flag("--no-mesh", a_.no_mesh, "Do not open meshes");
+    app->add_flag("--no-mesh", a_.no_mesh,
+                  "Do not open meshes, nor assemble models that have some");
     app->add_option("-j,--jobs", a_.jobs, "Threads; 0, the default: as many as there are cores")
         ->type_name("N")
         ->check(CLI::Range(0, 1024));

@@ -68,7 +68,7 @@ Checking::Checking(const CheckArguments& a, const Disk& disk)
     return selection;
   };
   options_.shard = a.shard.shard();
-  options_.meshes = a.no_mesh ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
+  options_.meshes = a.no_mesh ? rules::MeshPolicy::kLeaveOut : rules::MeshPolicy::kOpen;
   options_.known = {&surveys_, &mesh_files_, &turns_};
 }
 

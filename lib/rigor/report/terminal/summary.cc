@@ -20,10 +20,12 @@ constexpr std::size_t kMaxNamed = 10;
 
 constexpr Severity kSeverities[] = {Severity::kError, Severity::kWarning, Severity::kInfo};
 
-/// What was met but not checked: whole files, and includes inside files that were.
+/// What was met but not checked: whole files, and of files that were, what they include and how models stand
+/// assembled.
 struct NotChecked {
   std::vector<const rules::NotLookedAt*> files;
   std::size_t includes = 0;
+  std::size_t assemblies = 0;
 };
 
 NotChecked not_checked(const rules::ValidateResult& result) {
@@ -31,6 +33,8 @@ NotChecked not_checked(const rules::ValidateResult& result) {
   for (const rules::NotLookedAt& item : result.not_looked_at) {
     if (item.what.starts_with("include of ")) {
       ++found.includes;
+    } else if (item.what.starts_with("assembly: ")) {
+      ++found.assemblies;
     } else {
       found.files.push_back(&item);
     }
@@ -51,7 +55,8 @@ std::string not_looked_at(const NotChecked& found) {
   std::vector<std::string> parts;
   if (found.includes > 0) parts.push_back(counted(found.includes, "include"));
   if (!found.files.empty()) parts.push_back(counted(found.files.size(), "file"));
-  return parts.empty() ? "" : "; " + joined(parts, " and ") + " skipped";
+  if (found.assemblies > 0) parts.push_back("assembly of " + counted(found.assemblies, "file"));
+  return parts.empty() ? "" : "; " + joined(parts, ", ") + " skipped";
 }
 
 std::string counts_text(const GroupCounts& counts) {
