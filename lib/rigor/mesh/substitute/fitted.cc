@@ -4,6 +4,7 @@
 #include <rigor/mesh/substitute/fitted.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -18,7 +19,9 @@ namespace {
 
 /// On each surface, besides corners: some for each of a few hundred triangles.
 constexpr std::size_t kFitSamples = 3000;
-constexpr int kFitRounds = 8;
+constexpr int kFitRounds = 24;
+/// After so many rounds places that are far count more than before: first the mean gets less, then the greatest.
+constexpr int kRoundsOfAPower = 8;
 /// Of the mean pull: corners are pulled by the places between them that are farthest, so the whole of it is too far.
 constexpr double kPullStep = 0.5;
 
@@ -32,15 +35,16 @@ std::array<double, 3> corner_shares(const Facet& f, const Vector3& p) {
   return {1 - b - c, b, c};
 }
 
-/// How corners are to move, as a mean over the places around them, where far ones count more.
+/// How corners are to move, as a mean over the places around them, where far ones count more: by a power of their
+/// distance.
 class Pull {
  public:
-  explicit Pull(std::size_t corners) : sum_(corners), weight_(corners) {}
+  Pull(std::size_t corners, int power) : power_(power), sum_(corners), weight_(corners) {}
 
   void add(const Triangle& t, const std::array<double, 3>& shares, const Vector3& by) {
     const double distance = length(by);
     for (std::size_t k = 0; k < 3; ++k) {
-      const double weight = shares[k] * distance;
+      const double weight = shares[k] * std::pow(distance, power_);
       if (!(weight > 0)) continue;
       sum_[t[k]] = sum_[t[k]] + weight * by;
       weight_[t[k]] += weight;
@@ -54,15 +58,16 @@ class Pull {
   }
 
  private:
+  int power_;
   std::vector<Vector3> sum_;
   std::vector<double> weight_;
 };
 
 /// One round: towards the places of the fine surface, and away from where it has none.
-TriangleMesh pulled(TriangleMesh coarse, const Bvh& fine) {
+TriangleMesh pulled(TriangleMesh coarse, const Bvh& fine, int power) {
   const Bvh tree(coarse);
   if (tree.size() == 0) return coarse;
-  Pull pull(coarse.positions.size());
+  Pull pull(coarse.positions.size(), power);
   std::uint32_t guess = 0;
   const auto pull_to = [&](std::uint32_t, const Vector3& p) {
     const Nearest near = tree.nearest(p, guess);
@@ -86,13 +91,13 @@ TriangleMesh pulled(TriangleMesh coarse, const Bvh& fine) {
 
 }  // namespace
 
-TriangleMesh fitted(TriangleMesh coarse, const TriangleMesh& fine) {
+TriangleMesh fitted(TriangleMesh coarse, const TriangleMesh& fine, double enough) {
   const Bvh tree(fine);
   if (tree.size() == 0) return coarse;
   double least = deviation(coarse, fine, kFitSamples).hausdorff();
   TriangleMesh moved = coarse;
-  for (int round = 0; round < kFitRounds; ++round) {
-    moved = pulled(std::move(moved), tree);
+  for (int round = 0; round < kFitRounds && least > enough; ++round) {
+    moved = pulled(std::move(moved), tree, 1 + round / kRoundsOfAPower);
     const double error = deviation(moved, fine, kFitSamples).hausdorff();
     if (!(error < least)) continue;
     least = error;

@@ -14,7 +14,7 @@
 namespace rigor::mesh {
 
 /// The same triangles with corners moved; as it is where no move that was tried brings it nearer. Positions in one place
-/// are to be one.
-TriangleMesh fitted(TriangleMesh coarse, const TriangleMesh& fine);
+/// are to be one. What is as near as `enough`, in the meshes' unit, is not moved on.
+TriangleMesh fitted(TriangleMesh coarse, const TriangleMesh& fine, double enough = 0);
 
 }  // namespace rigor::mesh

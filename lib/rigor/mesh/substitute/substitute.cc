@@ -156,6 +156,9 @@ class SubstituteFinder {
     return shape;
   }
 
+  /// Time is better spent on fewer triangles then.
+  double near_enough() const { return limits_.max_error / 2; }
+
   void try_hull(Shares shares) {
     if (!hull_error_) hull_error_ = error_of(*hull_);
     if (*hull_error_ > limits_.max_error) return;
@@ -167,10 +170,10 @@ class SubstituteFinder {
     });
   }
 
-  static std::optional<TriangleMesh> reduced_hull(const TriangleMesh& hull, std::size_t triangles) {
+  std::optional<TriangleMesh> reduced_hull(const TriangleMesh& hull, std::size_t triangles) const {
     const auto fewer =
         convex_hull(reduce(hull, {.triangles = triangles, .seams = Seams::kIgnore}).mesh.positions);
-    return fewer ? convex_hull(fitted(*fewer, hull).positions) : std::nullopt;
+    return fewer ? convex_hull(fitted(*fewer, hull, near_enough()).positions) : std::nullopt;
   }
 
   void try_pieces(Shares shares) {
@@ -217,7 +220,7 @@ class SubstituteFinder {
     take_fewest(SubstituteKind::kReduced, shares, [&](std::size_t triangles) -> TriangleMeshes {
       TriangleMesh fewer = reduced_to(triangles, wanted);
       if (fewer.triangles.empty() || error_of(fewer) > kFitGain * limits_.max_error) return {};
-      return {fitted(std::move(fewer), mesh_)};
+      return {fitted(std::move(fewer), mesh_, near_enough())};
     });
   }
 
