@@ -3,8 +3,8 @@
 
 #include <rigor/mesh/substitute/fitted.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -17,11 +17,14 @@
 namespace rigor::mesh {
 namespace {
 
-/// On each surface, besides corners: some for each of a few hundred triangles.
-constexpr std::size_t kFitSamples = 3000;
+/// On each surface, besides corners: for each triangle of the coarse one some, and so many at most.
+constexpr std::size_t kTriangleSamples = 30;
+constexpr std::size_t kMostSamples = 3000;
 constexpr int kFitRounds = 24;
 /// After so many rounds places that are far count more than before: first the mean gets less, then the greatest.
 constexpr int kRoundsOfAPower = 8;
+/// What is farther off after the first of them than so many times what is near enough will not get there.
+constexpr double kHopeless = 4;
 /// Of the mean pull: corners are pulled by the places between them that are farthest, so the whole of it is too far.
 constexpr double kPullStep = 0.5;
 
@@ -43,8 +46,10 @@ class Pull {
 
   void add(const Triangle& t, const std::array<double, 3>& shares, const Vector3& by) {
     const double distance = length(by);
+    double far = distance;
+    for (int i = 1; i < power_; ++i) far *= distance;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double weight = shares[k] * std::pow(distance, power_);
+      const double weight = shares[k] * far;
       if (!(weight > 0)) continue;
       sum_[t[k]] = sum_[t[k]] + weight * by;
       weight_[t[k]] += weight;
@@ -64,7 +69,7 @@ class Pull {
 };
 
 /// One round: towards the places of the fine surface, and away from where it has none.
-TriangleMesh pulled(TriangleMesh coarse, const Bvh& fine, int power) {
+TriangleMesh pulled(TriangleMesh coarse, const Bvh& fine, std::size_t samples, int power) {
   const Bvh tree(coarse);
   if (tree.size() == 0) return coarse;
   Pull pull(coarse.positions.size(), power);
@@ -77,9 +82,9 @@ TriangleMesh pulled(TriangleMesh coarse, const Bvh& fine, int power) {
     return true;
   };
   visit_corners(fine, pull_to);
-  visit_samples(fine, kFitSamples, pull_to);
+  visit_samples(fine, samples, pull_to);
   guess = 0;
-  visit_samples(tree, kFitSamples, [&](std::uint32_t slot, const Vector3& p) {
+  visit_samples(tree, samples, [&](std::uint32_t slot, const Vector3& p) {
     const Nearest near = fine.nearest(p, guess);
     guess = near.slot;
     pull.add(coarse.triangles[tree.index(slot)], corner_shares(tree.facet(slot), p), near.at - p);
@@ -94,11 +99,13 @@ TriangleMesh pulled(TriangleMesh coarse, const Bvh& fine, int power) {
 TriangleMesh fitted(TriangleMesh coarse, const TriangleMesh& fine, double enough) {
   const Bvh tree(fine);
   if (tree.size() == 0) return coarse;
-  double least = deviation(coarse, fine, kFitSamples).hausdorff();
+  const std::size_t samples = std::min(kMostSamples, kTriangleSamples * coarse.triangles.size());
+  double least = deviation(coarse, fine, samples).hausdorff();
   TriangleMesh moved = coarse;
   for (int round = 0; round < kFitRounds && least > enough; ++round) {
-    moved = pulled(std::move(moved), tree, 1 + round / kRoundsOfAPower);
-    const double error = deviation(moved, fine, kFitSamples).hausdorff();
+    if (round == kRoundsOfAPower && enough > 0 && least > kHopeless * enough) break;
+    moved = pulled(std::move(moved), tree, samples, 1 + round / kRoundsOfAPower);
+    const double error = deviation(moved, fine, samples).hausdorff();
     if (!(error < least)) continue;
     least = error;
     coarse = moved;
