@@ -12,6 +12,13 @@ MjcfEntities::MjcfEntities(const model::Root& root) {
   for (const auto& each : root.visuals) visuals_.try_emplace(key(each.site.tag), &each);
 }
 
+std::vector<robot::Look> MjcfDraft::looks_of(const model::Visual& visual,
+                                             const mesh::TriangleMesh& shape) const {
+  if (!options.looks) return {};
+  const auto index = static_cast<std::uint32_t>(&visual - root().visuals.data());
+  return options.looks({index}, shape);
+}
+
 std::string MjcfDraft::name_for(std::string_view kind, const std::string& name) {
   std::set<std::string>& taken = names[std::string(kind)];
   std::string result = name;

@@ -87,6 +87,9 @@ struct MjcfDraft {
 
   const model::Root& root() const { return source.source.root; }
   const robot::Robot& robot() const { return assembly.robot; }
+  /// Of one of the root's visuals; none where nobody was given who finds them.
+  std::vector<robot::Look> looks_of(const model::Visual& visual,
+                                    const mesh::TriangleMesh& shape) const;
   /// The name, or one with a number behind it where an element of that kind has it.
   std::string name_for(std::string_view kind, const std::string& name);
 };

@@ -197,10 +197,8 @@ class MjcfGeomMaker {
   /// What the model says of a shape's look, where `Lookups` say nothing of it: a picture, a script.
   std::optional<robot::Look> look_of(const model::Visual& visual,
                                      const std::optional<robot::Color>& color) const {
-    if (!draft_.options.looks || !visual.material.written) return std::nullopt;
-    const auto* const first = draft_.root().visuals.data();
-    const auto looks =
-        draft_.options.looks({static_cast<std::uint32_t>(&visual - first)}, mesh::TriangleMesh());
+    if (!visual.material.written) return std::nullopt;
+    const auto looks = draft_.looks_of(visual, mesh::TriangleMesh());
     if (looks.empty() || (color && looks[0].picture.empty())) return std::nullopt;
     return looks[0];
   }

@@ -195,10 +195,8 @@ class MjcfMesher {
     if (!draft_.options.looks) return {};
     const auto mesh = outline(origin);
     if (!mesh) return {};
-    const auto* const first = draft_.root().visuals.data();
-    const model::Id<model::Visual> id{static_cast<std::uint32_t>(visual_ - first)};
     const bool urdf = draft_.root().format == model::Format::kUrdf;
-    auto groups = grouped_by_look(mesh->parts, draft_.options.looks(id, *mesh));
+    auto groups = grouped_by_look(mesh->parts, draft_.looks_of(*visual_, *mesh));
     const bool own = urdf && !mesh->materials.empty();
     if (part_.color && !own && !is_pictured(groups)) return {};
     return groups;
