@@ -42,10 +42,10 @@ NotChecked not_checked(const rules::ValidateResult& result) {
   return found;
 }
 
-std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) {
-    if (!text.empty()) text += between;
+    if (!text.empty()) text += ", ";
     text += part;
   }
   return text;
@@ -56,7 +56,7 @@ std::string not_looked_at(const NotChecked& found) {
   if (found.includes > 0) parts.push_back(counted(found.includes, "include"));
   if (!found.files.empty()) parts.push_back(counted(found.files.size(), "file"));
   if (found.assemblies > 0) parts.push_back("assembly of " + counted(found.assemblies, "file"));
-  return parts.empty() ? "" : "; " + joined(parts, ", ") + " skipped";
+  return parts.empty() ? "" : "; " + joined(parts) + " skipped";
 }
 
 std::string counts_text(const GroupCounts& counts) {
@@ -66,8 +66,7 @@ std::string counts_text(const GroupCounts& counts) {
     if (count > 0) parts.push_back(counted(count, to_string(severity)));
   }
   if (parts.empty()) return ", no problems";
-  return ": " + joined(parts, ", ") +
-         (counts.joined ? " at " + counted(counts.places, "place") : "");
+  return ": " + joined(parts) + (counts.joined ? " at " + counted(counts.places, "place") : "");
 }
 
 std::string files_text(const rules::ValidateResult& result, const std::string& findings) {
