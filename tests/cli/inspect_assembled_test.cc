@@ -68,6 +68,29 @@ TEST(InspectAssembledCli, TellsPeople) {
   EXPECT_NE(ran.out.find("link \"left_wheel\": 0.08 m from \"body\""), std::string::npos);
 }
 
+/// Two bars of a meter, of which one folds back into the other.
+constexpr const char* kFolding = R"(<robot name="arm">
+  <link name="upper"><collision><origin xyz="0.5 0 0"/><geometry><box size="1 0.2 0.2"/></geometry></collision></link>
+  <link name="lower"><collision><origin xyz="0.5 0 0"/><geometry><box size="1 0.1 0.1"/></geometry></collision></link>
+  <joint name="a" type="revolute"><parent link="upper"/><child link="lower"/><origin xyz="1 0 0"/>
+    <axis xyz="0 0 1"/><limit lower="0" upper="3.141592653589793" effort="1" velocity="1"/></joint>
+</robot>)";
+
+TEST(InspectAssembledCli, MeasuresPositionsBetweenLimits) {
+  const Folder folder;
+  folder.put("arm.urdf", kFolding);
+  const Ran ran = folder.rigor("inspect --assembled arm.urdf --format json");
+  const json positions = json::parse(ran.out)["models"][0]["distances"][0]["positions"];
+  ASSERT_EQ(positions.size(), 9U);
+  EXPECT_EQ(positions[0]["position"], 0);
+  EXPECT_EQ(positions[0]["inside"], 0);
+  EXPECT_NEAR(positions[4]["position"].get<double>(), 1.5707963267948966, 1e-9);
+  EXPECT_EQ(positions[8]["inside"], 1);
+  EXPECT_EQ(positions[8]["distance"], 0);
+  EXPECT_NE(folder.rigor("inspect --assembled arm.urdf").out.find("100 % inside at 3.142 rad"),
+            std::string::npos);
+}
+
 TEST(InspectAssembledCli, HasNoTable) {
   const Folder folder;
   folder.put("cart.urdf", kCartWithMast);

@@ -22,6 +22,7 @@
 #include <rigor/robot/assembled/assembled.h>
 #include <rigor/robot/assembled/axles.h>
 #include <rigor/robot/assembled/symmetry.h>
+#include <rigor/robot/assembled/travel.h>
 #include <rigor/robot/assembled/twins.h>
 
 namespace rigor::report {
@@ -30,6 +31,7 @@ namespace {
 using model::Id;
 
 constexpr int kDigits = 4;
+constexpr double kTouching = 1e-9;  // m
 
 struct SeenPair {
   std::uint32_t a = 0;
@@ -46,6 +48,9 @@ struct SeenDistance {
   std::uint32_t link = 0;
   std::uint32_t carrier = 0;  ///< link
   std::optional<double> gap;  ///< m; nothing when one of the two has no shape
+  bool slides = false;        ///< whether positions are m, not rad
+  std::vector<robot::Stand>
+      positions;  ///< within the limits of the joint; of what is fixed to either, too
 };
 
 struct SeenModel {
@@ -79,7 +84,8 @@ class Viewer {
         robot_(robot::assemble(
             root_, inspection.frames,
             [this](const model::Mesh& mesh, robot::ShapeRole) { return bounds_of(mesh); })),
-        wheels_(robot::wheels(root_, inspection.frames, robot_)) {}
+        wheels_(robot::wheels(root_, inspection.frames, robot_)),
+        rigid_(root_, inspection.frames, robot_) {}
 
   std::vector<SeenModel> all() const {
     std::vector<SeenModel> models;
@@ -125,9 +131,18 @@ class Viewer {
       const auto carrier = robot_.links[link].carrier;
       const auto parent = carrier ? inspection_.frames.ends(carrier).parent : Id<model::Link>{};
       if (parent)
-        seen.distances.push_back({link, parent.value, gap_between(robot_, link, parent.value)});
+        seen.distances.push_back({link, parent.value, gap_between(robot_, link, parent.value),
+                                  root_[carrier].type == model::JointType::kPrismatic,
+                                  positions_of(carrier)});
     }
     return seen;
+  }
+
+  std::vector<robot::Stand> positions_of(Id<model::Joint> joint) const {
+    const auto sides = robot::sides_of(joint, root_, inspection_.frames, robot_, rigid_);
+    const auto range = robot::limited_range(root_[joint]);
+    if (!sides || !range) return {};
+    return sides->between(*range);
   }
 
   std::optional<bool> are_mirrored(const std::optional<robot::MirrorPlane>& plane,
@@ -142,6 +157,7 @@ class Viewer {
   const model::Root& root_;
   robot::Assembled robot_;
   std::vector<robot::Wheel> wheels_;
+  robot::RigidGroups rigid_;
 };
 
 const char* axis_name(const robot::MirrorPlane& plane) {
@@ -156,6 +172,28 @@ struct Names {
   std::string link(std::uint32_t i) const { return name_in(root, model, Id<model::Link>{i}); }
   std::string quoted(std::uint32_t i) const { return '"' + printable(link(i)) + '"'; }
 };
+
+/// What the limits of the joint change: the widest gap, and the largest share that is inside the parent.
+std::string range_text(const SeenDistance& distance) {
+  std::string text;
+  if (distance.positions.empty()) return text;
+  const auto [nearest, farthest] =
+      std::minmax_element(distance.positions.begin(), distance.positions.end(),
+                          [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  const auto deepest =
+      std::max_element(distance.positions.begin(), distance.positions.end(),
+                       [](const auto& a, const auto& b) { return a.inside < b.inside; });
+  const char* unit = distance.slides ? "m" : "rad";
+  if (farthest->gap > nearest->gap) {
+    text += fmt::format(", {} to {} m apart within its limits", number(nearest->gap, kDigits),
+                        number(farthest->gap, kDigits));
+  }
+  if (deepest->inside > 0) {
+    text += fmt::format(", {:.0f} % inside at {} {}", 100 * deepest->inside,
+                        number(deepest->position, kDigits), unit);
+  }
+  return text;
+}
 
 std::string seen_text(const SeenModel& seen, const model::Root& root) {
   const Names names{root, seen.model};
@@ -185,11 +223,11 @@ std::string seen_text(const SeenModel& seen, const model::Root& root) {
         seen_wheel.beside ? ", on one axle with " + names.quoted(*seen_wheel.beside) : "");
   }
   for (const SeenDistance& distance : seen.distances) {
-    text += fmt::format("  link {}: {} {}\n", names.quoted(distance.link),
-                        !distance.gap        ? std::string("distance unknown to")
-                        : *distance.gap == 0 ? std::string("touches")
-                                             : number(*distance.gap, kDigits) + " m from",
-                        names.quoted(distance.carrier));
+    text += fmt::format("  link {}: {} {}{}\n", names.quoted(distance.link),
+                        !distance.gap               ? std::string("distance unknown to")
+                        : *distance.gap < kTouching ? std::string("touches")
+                                                    : number(*distance.gap, kDigits) + " m from",
+                        names.quoted(distance.carrier), range_text(distance));
   }
   return text;
 }
@@ -212,9 +250,16 @@ Json seen_json(const SeenModel& seen, const model::Root& root) {
          {"beside", seen_wheel.beside ? Json(names.link(*seen_wheel.beside)) : Json(nullptr)}});
   }
   for (const SeenDistance& distance : seen.distances) {
+    Json positions = Json::array();
+    for (const robot::Stand& stand : distance.positions) {
+      positions.push_back({{"position", finite(stand.position)},
+                           {"distance", finite(stand.gap)},
+                           {"inside", finite(stand.inside)}});
+    }
     distances.push_back({{"link", names.link(distance.link)},
                          {"parent", names.link(distance.carrier)},
-                         {"distance", distance.gap ? Json(finite(*distance.gap)) : Json(nullptr)}});
+                         {"distance", distance.gap ? Json(finite(*distance.gap)) : Json(nullptr)},
+                         {"positions", std::move(positions)}});
   }
   Json bounds = nullptr;
   if (seen.bounds)

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/robot/assembled/travel.h>
 #include <rigor/rules/assembly/placed_units.h>
 
 namespace rigor::rules {
@@ -84,17 +85,11 @@ inline Fit fit_of(const Attached& one, const model::Vector3& d_W) {
 class AttachedLinks {
  public:
   explicit AttachedLinks(Context& context)
-      : context_(context), robot_(context.assembled()), group_(robot_.links.size()) {
-    for (std::uint32_t i = 0; i < group_.size(); ++i) group_[i] = i;
-    const model::Root& root = context.root();
-    for (std::uint32_t j = 0; j < root.joints.size(); ++j) {
-      const auto& ends = context.frames().ends({j});
-      if (root.joints[j].type != model::JointType::kFixed || !ends.parent || !ends.child) continue;
-      if (robot_.links[ends.child.value].carrier.value != j) continue;
-      group_[ends.child.value] = ends.parent.value;
-    }
-    for (std::uint32_t i = 0; i < group_.size(); ++i) leaders_.push_back(leader(i));
-  }
+      : context_(context),
+        robot_(context.assembled()),
+        rigid_(context.root(), context.frames(), robot_) {}
+
+  const robot::RigidGroups& rigid() const { return rigid_; }
 
   std::vector<Attached> find() {
     std::vector<Attached> result;
@@ -110,13 +105,6 @@ class AttachedLinks {
   }
 
  private:
-  /// The link that carries all that is fixed to this one.
-  std::uint32_t leader(std::uint32_t link) const {
-    for (std::size_t steps = 0; group_[link] != link && steps < group_.size(); ++steps)
-      link = group_[link];
-    return link;
-  }
-
   /// Whether all that can be seen, or all that can be touched, is known of a link: either is its body.
   bool has_known_body(std::uint32_t i) const {
     const robot::AssembledLink& link = robot_.links[i];
@@ -133,15 +121,6 @@ class AttachedLinks {
            (seen > 0 && seen == of.visuals.size());
   }
 
-  /// Whether a link is fixed to another, which carries it.
-  bool is_fixed_to(std::uint32_t link, std::uint32_t base) const {
-    for (std::size_t steps = 0; link != base && steps < group_.size(); ++steps) {
-      if (group_[link] == link) return false;
-      link = group_[link];
-    }
-    return link == base;
-  }
-
   std::optional<Attached> attached(const PlacedUnit& unit, const MovedLinks& moved_links) {
     const robot::AssembledLink& link = robot_.links[unit.link];
     if (!link.carrier) return std::nullopt;
@@ -153,14 +132,14 @@ class AttachedLinks {
     std::vector<bool> moved(robot_.links.size(), false);
     for (const std::uint32_t i : one.moved) moved[i] = true;
     if (moved[ends.parent.value]) return std::nullopt;
-    const std::uint32_t parent = leaders_[ends.parent.value];
+    const std::uint32_t parent = rigid_.leaders[ends.parent.value];
     constexpr std::size_t kUsual = 8;
     one.child.reserve(kUsual);
     one.parent.reserve(kUsual);
     for (const robot::AssembledShape& shape : robot_.shapes) {
       if (moved[shape.link]) {
-        if (is_fixed_to(shape.link, one.unit.link)) one.child.push_back(shape.box_W);
-      } else if (leaders_[shape.link] == parent) {
+        if (rigid_.is_fixed_to(shape.link, one.unit.link)) one.child.push_back(shape.box_W);
+      } else if (rigid_.leaders[shape.link] == parent) {
         one.parent.push_back(shape.box_W);
       }
     }
@@ -191,7 +170,7 @@ class AttachedLinks {
   void add_others(const std::vector<bool>& moved, std::uint32_t parent, model::Id<model::Model> top,
                   Attached& one) const {
     for (const robot::AssembledShape& shape : robot_.shapes) {
-      if (moved[shape.link] || leaders_[shape.link] == parent) continue;
+      if (moved[shape.link] || rigid_.leaders[shape.link] == parent) continue;
       if (robot_.links[shape.link].top == top) one.others.push_back(shape.box_W);
     }
     one.fit = fit_of(one, {});
@@ -199,8 +178,7 @@ class AttachedLinks {
 
   Context& context_;
   const robot::Assembled& robot_;
-  std::vector<std::uint32_t> group_;    // of each link, what it is fixed to
-  std::vector<std::uint32_t> leaders_;  // of each link, what carries all that is fixed to it
+  robot::RigidGroups rigid_;
 };
 
 }  // namespace rigor::rules

@@ -221,13 +221,28 @@ const model::Joint* only_one_at_zero(const model::Root& root, const Context& con
   return others >= kOthers ? found : nullptr;
 }
 
+/// Whether a link that slides, and is apart from its parent at zero, meets it at another position within its limits.
+bool slides_to_parent(const Attached& one, const robot::RigidGroups& rigid, Context& context) {
+  const model::Root& root = context.root();
+  const model::Id<model::Joint> carrier = context.assembled().links[one.unit.link].carrier;
+  if (root[carrier].type != model::JointType::kPrismatic) return false;
+  const auto range = robot::limited_range(root[carrier]);
+  const auto sides = robot::sides_of(carrier, root, context.frames(), context.assembled(), rigid);
+  if (!sides || !range) return false;
+  const auto stands = sides->between(*range);
+  return std::any_of(stands.begin(), stands.end(),
+                     [](const robot::Stand& stand) { return stand.gap == 0; });
+}
+
 std::optional<OddLink> odd_link(const Attached& one, const std::vector<Attached>& all,
-                                const Longest& longest, Context& context) {
+                                const Longest& longest, const robot::RigidGroups& rigid,
+                                Context& context) {
   if (one.fit.gap == 0 && one.fit.reach == 0 && one.fit.inside <= kWithin) return std::nullopt;
   OddLink odd{&one, usual_beside(one, all, longest, context), Oddity::kNone, {}};
   if (odd.usual.joints < kFewest || !(odd.usual.longest > 0)) return std::nullopt;
   odd.oddity = oddity_of(one.fit, odd.usual);
   if (odd.oddity == Oddity::kNone) return std::nullopt;
+  if (odd.oddity == Oddity::kGap && slides_to_parent(one, rigid, context)) return std::nullopt;
   odd.change = change_for(one, odd.usual, odd.oddity, context.root());
   const model::Joint& joint = context.root()[context.assembled().links[one.unit.link].carrier];
   const bool left_out = odd.oddity == Oddity::kInside && moves(joint) &&
@@ -275,12 +290,14 @@ void check(const model::Root& root, Context& context) {
     if (zero != nullptr) report_zero(*zero, context);
   }
   if (root.links.size() <= kFewest + 1 || !context.frames().problems().empty()) return;
-  const std::vector<Attached> all = AttachedLinks(context).find();
+  AttachedLinks attached(context);
+  const std::vector<Attached> all = attached.find();
   if (all.size() <= kFewest) return;
   std::vector<OddLink> found;
   const Longest longest = longest_links(context);
   for (const Attached& one : all) {
-    if (auto odd = odd_link(one, all, longest, context)) found.push_back(*std::move(odd));
+    if (auto odd = odd_link(one, all, longest, attached.rigid(), context))
+      found.push_back(*std::move(odd));
   }
   const auto top = [&](const OddLink& odd) {
     return context.assembled().links[odd.link->unit.link].top;

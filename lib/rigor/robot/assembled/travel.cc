@@ -1,0 +1,115 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/robot/assembled/travel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace rigor::robot {
+namespace {
+
+/// Of positions that are added up along a tree, m.
+constexpr double kRounding = 1e-9;
+
+}  // namespace
+
+RigidGroups::RigidGroups(const model::Root& root, const model::Frames& frames,
+                         const Assembled& robot)
+    : fixed_to(robot.links.size()), leaders(robot.links.size()) {
+  for (std::uint32_t i = 0; i < fixed_to.size(); ++i) {
+    fixed_to[i] = i;
+    const auto carrier = robot.links[i].carrier;
+    if (!carrier || root[carrier].type != model::JointType::kFixed) continue;
+    if (const auto parent = frames.ends(carrier).parent) fixed_to[i] = parent.value;
+  }
+  for (std::uint32_t i = 0; i < leaders.size(); ++i) {
+    std::uint32_t link = i;
+    // Not on and on where joints form a cycle.
+    for (std::size_t steps = 0; fixed_to[link] != link && steps < leaders.size(); ++steps)
+      link = fixed_to[link];
+    leaders[i] = link;
+  }
+}
+
+bool RigidGroups::is_fixed_to(std::uint32_t link, std::uint32_t base) const {
+  for (std::size_t steps = 0; link != base && steps < fixed_to.size(); ++steps) {
+    if (fixed_to[link] == link) return false;
+    link = fixed_to[link];
+  }
+  return link == base;
+}
+
+std::optional<Range> limited_range(const model::Joint& joint) {
+  if (joint.type != model::JointType::kRevolute && joint.type != model::JointType::kPrismatic)
+    return std::nullopt;
+  if (joint.axes.size() != 1 || !joint.axes.front().limit_written) return std::nullopt;
+  const Range range{joint.axes.front().lower.value, joint.axes.front().upper.value};
+  constexpr double kWidest = 100;  // rad or m
+  if (!(range.lower < range.upper) || !(range.upper - range.lower < kWidest)) return std::nullopt;
+  return range;
+}
+
+Stand JointSides::at(double position) const {
+  const model::Quaternion turn =
+      slides ? model::Quaternion{} : model::from_axis_angle(axis_W, position);
+  const model::Vector3 shift = slides ? position * axis_W : model::Vector3{};
+  Stand stand{position, std::numeric_limits<double>::infinity(), 0};
+  double volume = 0, shared = 0;
+  for (const OrientedBox& still : child) {
+    OrientedBox box = still;
+    box.center_W = pivot_W + shift + rotate(turn, still.center_W - pivot_W);
+    for (model::Vector3& axis : box.axes_W) axis = rotate(turn, axis);
+    for (const OrientedBox& other : parent) {
+      const double apart = model::length(other.center_W - box.center_W);
+      if (stand.gap > 0 && apart - (diameter(box) + diameter(other)) / 2 < stand.gap)
+        stand.gap = std::min(stand.gap, std::max(0.0, separation(box, other)));
+    }
+    const double size = box.half[0] * box.half[1] * box.half[2];
+    volume += size;
+    shared += size * share_inside(box, parent);
+  }
+  if (stand.gap < kRounding) stand.gap = 0;
+  if (volume > 0) stand.inside = shared / volume;
+  return stand;
+}
+
+std::vector<Stand> JointSides::between(const Range& range) const {
+  const auto [lower, upper] = range;
+  constexpr int kSteps = 8;
+  std::vector<Stand> stands;
+  for (int i = 0; i <= kSteps; ++i) stands.push_back(at(lower + (upper - lower) * i / kSteps));
+  const auto after = std::find_if(stands.begin(), stands.end(),
+                                  [](const Stand& stand) { return stand.position >= 0; });
+  if (lower < 0 && after != stands.end() && after->position > 0) stands.insert(after, at(0));
+  return stands;
+}
+
+std::optional<JointSides> sides_of(model::Id<model::Joint> joint, const model::Root& root,
+                                   const model::Frames& frames, const Assembled& robot,
+                                   const RigidGroups& rigid) {
+  const model::JointType type = root[joint].type;
+  const bool slides = type == model::JointType::kPrismatic;
+  if (!slides && type != model::JointType::kRevolute) return std::nullopt;
+  const auto& ends = frames.ends(joint);
+  const auto X_WJ = frames.pose(joint);
+  const auto axis_W = frames.axis(joint, 0);
+  if (!ends.parent || !ends.child || !X_WJ || !axis_W) return std::nullopt;
+  if (robot.links[ends.child.value].carrier != joint) return std::nullopt;
+  JointSides sides{{}, {}, X_WJ->translation, *axis_W, slides};
+  const std::uint32_t child = rigid.leaders[ends.child.value],
+                      parent = rigid.leaders[ends.parent.value];
+  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+    const std::uint32_t leader = rigid.leaders[i];
+    if (leader != child && leader != parent) continue;
+    if (!robot.links[i].complete()) return std::nullopt;
+    auto& boxes = leader == child ? sides.child : sides.parent;
+    for (const std::uint32_t s : robot.links[i].shapes) boxes.push_back(robot.shapes[s].box_W);
+  }
+  if (sides.child.empty() || sides.parent.empty()) return std::nullopt;
+  return sides;
+}
+
+}  // namespace rigor::robot
