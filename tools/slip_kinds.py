@@ -618,6 +618,18 @@ def limits_exchanged(text):
             yield Slip(joint, put(low, high.text), put(high, low.text))
 
 
+@kind("joint", "limits of the other direction")
+def limits_mirrored(text):
+    """Of a joint that moves to one side, on a link that can be seen to move."""
+    for joint in moving(text):
+        low, high = limit_value(joint, "lower"), limit_value(joint, "upper")
+        if joint.get("type") != "revolute" or not low or not finite(high, -1, 7) or not finite(low, -1, 7):
+            continue
+        a, b = low.numbers()[0], high.numbers()[0]
+        if a <= 0 <= b and max(-a, b) > 1 and min(-a, b) < 0.3 * max(-a, b):
+            yield Slip(joint, put(low, number(0 - b)), put(high, number(0 - a)))
+
+
 @kind("joint", "limit sign lost")
 def limit_sign(text):
     for joint in moving(text):

@@ -3,8 +3,10 @@
 //
 // Rules that compare one part of a robot with all others: how many others it takes, and how loudly they speak.
 
+#include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -134,6 +136,20 @@ std::string rod(const std::string& at, const std::string& turned) {
          "'/><geometry><cylinder radius='0.02' length='0.4'/></geometry></collision></link>";
 }
 
+/// An arm whose second rod slides, begins 0.4 m too far down, and meets the first within these limits or does not.
+TEST(AssemblySlips, ASliderMayBeApartAtZero) {
+  const std::string rule = "link-off-its-parent";
+  const auto slider = [](const std::string& limit) {
+    std::string text = arm("0 0 -0.7", 4);
+    const std::size_t at = text.find("q_rod_joint");
+    text.replace(text.find("revolute", at), 8, "prismatic");
+    text.replace(text.find("0 1 0", at), 5, "0 0 1");
+    return text.replace(text.find("lower='-1' upper='2'", at), 20, limit);
+  };
+  EXPECT_EQ(said(rule, slider("lower='0' upper='0.1'")).size(), 1U);
+  EXPECT_EQ(said(rule, slider("lower='0' upper='1'")), kQuiet);
+}
+
 TEST(AssemblySlips, ACylinderBeginsAtItsLink) {
   const std::string rule = "shape-rotation-slip";
   EXPECT_EQ(said(rule, rod("0.2 0 0", "0 0 0")), kWarned);
@@ -168,6 +184,87 @@ TEST(AssemblySlips, LimitsAreComparedWithThoseOfTheOtherJoints) {
   EXPECT_EQ(said("limit-excludes-zero", limited("lower='1' upper='2'")), kWarned);
   EXPECT_EQ(said("limit-excludes-zero", limited("lower='0.1' upper='2'")), kInformed);
   EXPECT_EQ(said("limit-excludes-zero", limited("lower='-2' upper='-1'")), kInformed);
+}
+
+/// A bucket that is hinged below the end of a boom of a meter, to its outside.
+std::string excavator(const std::string& limit, const std::string& type = "revolute") {
+  std::string curl = joint("bucket", "boom", "0.5 0 0", limit);
+  curl.replace(curl.find("revolute"), 8, type);
+  return link("boom", "<box size='1 0.1 0.2'/>") +
+         link("bucket", "<box size='0.4 0.1 0.3'/>", "0.2 0 -0.2") + curl;
+}
+
+TEST(AssemblySlips, ALinkIsNotDrivenIntoItsParent) {
+  const std::string rule = "limits-drive-into-parent";
+  EXPECT_EQ(said(rule, excavator("lower='-2.4' upper='0'")), kQuiet);
+  EXPECT_EQ(said(rule, excavator("lower='0' upper='2.4'")), kWarned);
+  EXPECT_EQ(said(rule, excavator("lower='0' upper='1.2'")), kQuiet);        // before it is inside
+  EXPECT_EQ(said(rule, excavator("lower='-2.4' upper='2.4'")), kInformed);  // nor the other way
+  EXPECT_EQ(said(rule, excavator("lower='-1e9' upper='1e9'")), kQuiet);     // no limits
+  EXPECT_EQ(said(rule, excavator("lower='0' upper='0.6'", "prismatic")), kQuiet);  // sideways
+}
+
+/// Fingers on a palm, by their limits.
+std::string fingers(const std::vector<std::string>& limits) {
+  std::string text = link("palm", "<box size='0.1 0.1 0.1'/>");
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const std::string name = "finger_" + std::string(1, static_cast<char>('p' + i));
+    text += link(name, "<box size='0.01 0.01 0.05'/>") + joint(name, "palm", "0 0 0.1", limits[i]);
+  }
+  return text;
+}
+
+TEST(AssemblySlips, LimitsHaveTheSignsOfLikeJoints) {
+  const std::string rule = "limits-opposed";
+  const std::string closed = "lower='-0.2' upper='1.6'", opened = "lower='-1.6' upper='0.2'";
+  EXPECT_EQ(said(rule, fingers({closed, closed, closed})), kQuiet);
+  EXPECT_EQ(said(rule, fingers({closed, opened, closed})), kWarned);
+  EXPECT_EQ(said(rule, fingers({closed, opened})), kQuiet);
+  EXPECT_EQ(said(rule, fingers({closed, opened, closed, opened})), kQuiet);
+  EXPECT_EQ(said(rule, fingers({closed, "lower='-1.7' upper='0.2'", closed})), kQuiet);
+  const std::string half = "lower='0' upper='1.6'", other_half = "lower='-1.6' upper='0'";
+  EXPECT_EQ(said(rule, fingers({half, other_half, half})), kQuiet);  // a thumb
+  // The axis of the one is negated as well: it moves as the others do.
+  std::string turned = fingers({closed, opened, closed});
+  turned.replace(turned.find("0 1 0", turned.find("finger_q_joint")), 5, "0 -1 0");
+  EXPECT_EQ(said(rule, turned), kQuiet);
+}
+
+/// Joints on both sides of a body, by the limits of the left and of the right.
+std::string sides(const std::vector<std::pair<std::string, std::string>>& limits) {
+  std::string text = link("body", "<box size='0.1 0.1 0.1'/>");
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const std::string part = "_" + std::string(1, static_cast<char>('p' + i));
+    const std::string box = "<box size='0.01 0.01 0.05'/>";
+    text += link("left" + part, box) + joint("left" + part, "body", "0 0.1 0", limits[i].first);
+    text += link("right" + part, box) + joint("right" + part, "body", "0 -0.1 0", limits[i].second);
+  }
+  return text;
+}
+
+TEST(AssemblySlips, LimitsOfTwoSidesAreAsInOtherPairs) {
+  const std::string rule = "limits-opposed";
+  const std::string p = "lower='-0.2' upper='1.6'", q = "lower='-0.3' upper='1.7'",
+                    r = "lower='-0.4' upper='1.8'", opposed = "lower='-1.8' upper='0.4'";
+  EXPECT_EQ(said(rule, sides({{p, p}, {q, q}, {r, r}})), kQuiet);
+  EXPECT_EQ(said(rule, sides({{p, p}, {q, q}, {r, opposed}})), kInformed);
+  EXPECT_EQ(said(rule, sides({{p, p}, {r, opposed}})), kQuiet);
+}
+
+/// A drawer that slides along x in its cabinet, or out of it.
+std::string drawer(const std::string& at, const std::string& limit) {
+  std::string slide = joint("drawer", "cabinet", at, limit);
+  slide.replace(slide.find("revolute"), 8, "prismatic");
+  slide.replace(slide.find("0 1 0"), 5, "1 0 0");
+  return link("cabinet", "<box size='0.5 0.5 0.5'/>") +
+         link("drawer", "<box size='0.4 0.3 0.1'/>") + slide;
+}
+
+TEST(AssemblySlips, ADrawerMayBeInsideItsCabinet) {
+  const std::string rule = "limits-drive-into-parent";
+  EXPECT_EQ(said(rule, drawer("0.5 0 0", "lower='-0.5' upper='0'")), kInformed);
+  EXPECT_EQ(said(rule, drawer("0.5 0 0", "lower='0' upper='0.5'")), kQuiet);
+  EXPECT_EQ(said(rule, drawer("0 0 0", "lower='0' upper='0.5'")), kQuiet);  // inside at zero
 }
 
 /// A link of 1 kg with these signs of its products of inertia.

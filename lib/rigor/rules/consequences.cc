@@ -79,6 +79,15 @@ constexpr Consequences kConsequences[] = {
      "shape-misplaced collision-beside-visual sibling-value-differs twin-value-differs "
      "pose-looks-like-degrees center-of-mass-outside-shapes links-overlap"},
     {"slider-limits-look-like-angles", "slider-looks-like-hinge"},
+    {"sibling-value-differs twin-value-differs twin-axis-opposed", "limits-opposed"},
+    {"limits-opposed limit-looks-like-degrees limit-looks-like-millimeters "
+     "slider-limits-look-like-angles slider-looks-like-hinge joint-ends-swapped "
+     "limit-excludes-zero joint-limit-inverted twin-value-differs twin-axis-opposed "
+     "twin-axis-differs sibling-value-differs axis-not-unit link-off-its-parent link-misplaced "
+     "links-in-one-place twins-in-one-place origin-looks-like-millimeters pose-looks-like-degrees "
+     "shape-misplaced shape-origin-slip shape-size-slip shape-rotation-slip shape-exceeds-robot "
+     "mesh-scale-differs",
+     "limits-drive-into-parent"},
     {"center-of-mass-outside-shapes origin-looks-like-millimeters", "center-of-mass-mirrored"},
     // Of several parts that are alike one is odd, and what else is said of it.
     {"wheel-size-differs shape-size-slip shape-misplaced shape-origin-slip link-misplaced "
