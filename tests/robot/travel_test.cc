@@ -133,6 +133,9 @@ TEST(JointTravel, NothingIsKnownOfALinkWithAMeshThatIsNot) {
                       "</visual></link>" +
                       joint("revolute", "lower", "upper", "1 0 0", "0 1 0"));
   EXPECT_FALSE(travel.sides(0));
+  const Travel comma(bar("upper", "1 0,2 0.2", "0.5 0 0") + bar("lower", "1 0.1 0.1", "0.5 0 0") +
+                     joint("revolute", "lower", "upper", "1 0 0", "0 1 0"));
+  EXPECT_FALSE(comma.sides(0)) << "a size that cannot be read";
 }
 
 TEST(JointTravel, ARangeHasTwoLimitsThatAreMeant) {

@@ -7,12 +7,40 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <variant>
 
 namespace rigor::robot {
 namespace {
 
 /// Of positions that are added up along a tree, m.
 constexpr double kRounding = 1e-9;
+
+/// Whether the file says how large a shape is: what cannot be read has the size of a default, a meter.
+struct HasWrittenSize {
+  bool operator()(const model::Box& box) const { return box.size.written; }
+  bool operator()(const model::Sphere& ball) const { return ball.radius.written; }
+  bool operator()(const model::Ellipsoid& shape) const { return shape.radii.written; }
+  bool operator()(const model::Cylinder& shape) const { return has_both(shape); }
+  bool operator()(const model::Cone& shape) const { return has_both(shape); }
+  bool operator()(const model::Capsule& shape) const { return has_both(shape); }
+  template <class Other>
+  bool operator()(const Other& /*other*/) const {
+    return true;
+  }
+
+ private:
+  template <class Round>
+  static bool has_both(const Round& shape) {
+    return shape.radius.written && shape.length.written;
+  }
+};
+
+bool has_written_size(const AssembledShape& shape, const model::Root& root) {
+  const model::Geometry& geometry = shape.role == ShapeRole::kCollision
+                                        ? root.collisions[shape.index].geometry
+                                        : root.visuals[shape.index].geometry;
+  return std::visit(HasWrittenSize{}, geometry.shape);
+}
 
 }  // namespace
 
@@ -106,7 +134,10 @@ std::optional<JointSides> sides_of(model::Id<model::Joint> joint, const model::R
     if (leader != child && leader != parent) continue;
     if (!robot.links[i].complete()) return std::nullopt;
     auto& boxes = leader == child ? sides.child : sides.parent;
-    for (const std::uint32_t s : robot.links[i].shapes) boxes.push_back(robot.shapes[s].box_W);
+    for (const std::uint32_t s : robot.links[i].shapes) {
+      if (!has_written_size(robot.shapes[s], root)) return std::nullopt;
+      boxes.push_back(robot.shapes[s].box_W);
+    }
   }
   if (sides.child.empty() || sides.parent.empty()) return std::nullopt;
   return sides;

@@ -63,7 +63,7 @@ struct JointSides {
   std::vector<Stand> between(const Range& range) const;
 };
 
-/// Nothing for a joint of another type, one that carries nothing, and where a shape of either side is not known.
+/// Nothing for a joint of another type, one that carries nothing, and where the size of a shape on either side is not known.
 std::optional<JointSides> sides_of(model::Id<model::Joint> joint, const model::Root& root,
                                    const model::Frames& frames, const Assembled& robot,
                                    const RigidGroups& rigid);
