@@ -153,7 +153,9 @@ void MemoryDisk::put(const std::string& path, std::string bytes) {
 }
 
 const MemoryDisk::Entry* MemoryDisk::find(const std::string& path) const {
-  const auto found = entries_.find(normalize_path(path));
+  // Nearly always the path is in its normal form.
+  auto found = entries_.find(path);
+  if (found == entries_.end()) found = entries_.find(normalize_path(path));
   return found == entries_.end() ? nullptr : &found->second;
 }
 

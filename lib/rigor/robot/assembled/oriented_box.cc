@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -127,28 +128,39 @@ bool contains(const OrientedBox& box, const Vector3& p_W) {
 }
 
 double share_inside(const OrientedBox& box, const std::vector<OrientedBox>& others) {
-  std::vector<const OrientedBox*> near;
+  constexpr std::array<double, 4> kMiddles{-0.75, -0.25, 0.25, 0.75};
+  std::bitset<64> inside;
   const double size = diameter(box);
   for (const OrientedBox& other : others) {
-    const Vector3 between = other.center_W - box.center_W;
+    const Vector3 between = box.center_W - other.center_W;
     const double reach = (size + diameter(other)) / 2;
-    if (dot(between, between) < reach * reach) near.push_back(&other);
-  }
-  if (near.empty()) return 0;
-  constexpr std::array<double, 4> kMiddles{-0.75, -0.25, 0.25, 0.75};
-  std::size_t inside = 0;
-  for (const double x : kMiddles) {
-    for (const double y : kMiddles) {
-      for (const double z : kMiddles) {
-        const Vector3 p = box.center_W + x * box.half[0] * box.axes_W[0] +
-                          y * box.half[1] * box.axes_W[1] + z * box.half[2] * box.axes_W[2];
-        inside += std::any_of(near.begin(), near.end(),
-                              [&p](const OrientedBox* other) { return contains(*other, p); });
+    if (dot(between, between) >= reach * reach) continue;
+    // Along each axis of the other: the middle of the box, and half of each of its sides.
+    std::array<double, 3> middle{};
+    std::array<std::array<double, 3>, 3> sides{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      middle[k] = dot(between, other.axes_W[k]);
+      for (std::size_t i = 0; i < 3; ++i)
+        sides[i][k] = box.half[i] * dot(box.axes_W[i], other.axes_W[k]);
+    }
+    for (std::size_t x = 0; x < 4; ++x) {
+      for (std::size_t y = 0; y < 4; ++y) {
+        // Of this row of parts, those between the two ends of the other box along each of its axes.
+        double first = -1, last = 1;
+        for (std::size_t k = 0; k < 3 && first <= last; ++k) {
+          const double at = middle[k] + kMiddles[x] * sides[0][k] + kMiddles[y] * sides[1][k];
+          const double a = (-other.half[k] - at) / sides[2][k];
+          const double b = (other.half[k] - at) / sides[2][k];
+          first = std::max(first, std::min(a, b));
+          last = std::min(last, std::max(a, b));
+        }
+        for (std::size_t z = 0; z < 4; ++z) {
+          if (first <= kMiddles[z] && kMiddles[z] <= last) inside.set(16 * x + 4 * y + z);
+        }
       }
     }
   }
-  constexpr double kParts = 64;
-  return static_cast<double>(inside) / kParts;
+  return static_cast<double>(inside.count()) / static_cast<double>(inside.size());
 }
 
 double diameter(const OrientedBox& box) {

@@ -86,18 +86,22 @@ Stand JointSides::at(double position) const {
   const model::Vector3 shift = slides ? position * axis_W : model::Vector3{};
   Stand stand{position, std::numeric_limits<double>::infinity(), 0};
   double volume = 0, shared = 0;
+  std::vector<OrientedBox> overlapping;
   for (const OrientedBox& still : child) {
     OrientedBox box = still;
     box.center_W = pivot_W + shift + rotate(turn, still.center_W - pivot_W);
     for (model::Vector3& axis : box.axes_W) axis = rotate(turn, axis);
+    overlapping.clear();
     for (const OrientedBox& other : parent) {
       const double apart = model::length(other.center_W - box.center_W);
-      if (stand.gap > 0 && apart - (diameter(box) + diameter(other)) / 2 < stand.gap)
-        stand.gap = std::min(stand.gap, std::max(0.0, separation(box, other)));
+      if (apart - (diameter(box) + diameter(other)) / 2 >= stand.gap) continue;
+      const double between = separation(box, other);
+      stand.gap = std::min(stand.gap, std::max(0.0, between));
+      if (between < -kRounding) overlapping.push_back(other);
     }
     const double size = box.half[0] * box.half[1] * box.half[2];
     volume += size;
-    shared += size * share_inside(box, parent);
+    if (!overlapping.empty()) shared += size * share_inside(box, overlapping);
   }
   if (stand.gap < kRounding) stand.gap = 0;
   if (volume > 0) stand.inside = shared / volume;

@@ -28,6 +28,14 @@ robot::Stand deepest(const robot::JointSides& sides, const robot::Range& range) 
                            [](const auto& a, const auto& b) { return a.inside < b.inside; });
 }
 
+/// Whether any of it is inside where the range begins, ends or has its middle: elsewhere only then is it checked.
+bool is_touched(const robot::JointSides& sides, const robot::Range& range) {
+  constexpr double kTouched = 0.1;
+  const double middle = (range.lower + range.upper) / 2;
+  return sides.at(range.upper).inside > kTouched || sides.at(range.lower).inside > kTouched ||
+         sides.at(middle).inside > kTouched;
+}
+
 struct Entry {
   const model::Joint* joint = nullptr;
   robot::Range range;
@@ -72,10 +80,11 @@ void check(const model::Root& root, Context& context) {
     if (!range) continue;
     const auto sides = robot::sides_of({j}, root, context.frames(), robot, rigid);
     if (!sides) continue;
-    const robot::Stand most = deepest(*sides, *range);
-    if (most.inside < kInside) continue;
+    if (!is_touched(*sides, *range)) continue;
     const double at_zero = sides->at(0).inside;
-    if (at_zero > kBeside || most.inside < at_zero + kMore) continue;
+    if (at_zero > kBeside) continue;
+    const robot::Stand most = deepest(*sides, *range);
+    if (most.inside < std::max(kInside, at_zero + kMore)) continue;
     const robot::Stand mirrored = deepest(*sides, {-range->upper, -range->lower});
     found.push_back({&joint, *range, at_zero, most, mirrored.inside < at_zero + kMore / 2});
   }
