@@ -124,7 +124,23 @@ TEST(JointTravel, FixedLinksBelongToTheirSide) {
   EXPECT_TRUE(travel.rigid().is_fixed_to(3, 1));
   EXPECT_FALSE(travel.rigid().is_fixed_to(3, 0));
   EXPECT_EQ(travel.rigid().leaders, (robot::Links{0, 1, 0, 1}));
+  EXPECT_EQ(travel.rigid().members[0], (robot::Links{0, 2}));
+  EXPECT_EQ(travel.rigid().members[1], (robot::Links{1, 3}));
   EXPECT_FALSE(travel.sides(1)) << "a fixed joint has one position";
+}
+
+/// However the file orders the links of a chain, and where fixed joints form a cycle.
+TEST(JointTravel, AChainOfFixedLinksHasOneLeader) {
+  const auto fixed = [](const std::string& child, const std::string& parent) {
+    return joint("fixed", child, parent, "0 0 0", "1 0 0");
+  };
+  std::string links;
+  for (const char* name : {"c", "a", "d", "b", "p", "q"}) links += bar(name, "1 1 1", "0 0 0");
+  const Travel chain(links + fixed("b", "a") + fixed("c", "b") + fixed("d", "c") +
+                     joint("revolute", "p", "d", "0 0 0", "0 1 0") + fixed("q", "p"));
+  EXPECT_EQ(chain.rigid().leaders, (robot::Links{1, 1, 1, 1, 4, 4}));
+  const Travel cycle(links + fixed("b", "a") + fixed("a", "b"));
+  EXPECT_EQ(cycle.rigid().leaders[1], cycle.rigid().leaders[3]);
 }
 
 TEST(JointTravel, NothingIsKnownOfALinkWithAMeshThatIsNot) {

@@ -46,19 +46,28 @@ bool has_written_size(const AssembledShape& shape, const model::Root& root) {
 
 RigidGroups::RigidGroups(const model::Root& root, const model::Frames& frames,
                          const Assembled& robot)
-    : fixed_to(robot.links.size()), leaders(robot.links.size()) {
+    : fixed_to(robot.links.size()), leaders(robot.links.size()), members(robot.links.size()) {
   for (std::uint32_t i = 0; i < fixed_to.size(); ++i) {
     fixed_to[i] = i;
     const auto carrier = robot.links[i].carrier;
     if (!carrier || root[carrier].type != model::JointType::kFixed) continue;
     if (const auto parent = frames.ends(carrier).parent) fixed_to[i] = parent.value;
   }
+  std::vector<bool> known(fixed_to.size(), false);
   for (std::uint32_t i = 0; i < leaders.size(); ++i) {
+    Links chain;
     std::uint32_t link = i;
-    // Not on and on where joints form a cycle.
-    for (std::size_t steps = 0; fixed_to[link] != link && steps < leaders.size(); ++steps)
-      link = fixed_to[link];
-    leaders[i] = link;
+    // A cycle of fixed joints is left where it closes.
+    for (; !known[link] && fixed_to[link] != link; link = fixed_to[link]) {
+      known[link] = true;
+      leaders[link] = link;
+      chain.push_back(link);
+    }
+    const std::uint32_t leader = known[link] ? leaders[link] : link;
+    for (const std::uint32_t one : chain) leaders[one] = leader;
+    known[link] = true;
+    leaders[link] = leader;
+    members[leaders[i]].push_back(i);
   }
 }
 
@@ -131,19 +140,18 @@ std::optional<JointSides> sides_of(model::Id<model::Joint> joint, const model::R
   if (!ends.parent || !ends.child || !X_WJ || !axis_W) return std::nullopt;
   if (robot.links[ends.child.value].carrier != joint) return std::nullopt;
   JointSides sides{{}, {}, X_WJ->translation, *axis_W, slides};
-  const std::uint32_t child = rigid.leaders[ends.child.value],
-                      parent = rigid.leaders[ends.parent.value];
-  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
-    const std::uint32_t leader = rigid.leaders[i];
-    if (leader != child && leader != parent) continue;
-    if (!robot.links[i].complete()) return std::nullopt;
-    auto& boxes = leader == child ? sides.child : sides.parent;
-    for (const std::uint32_t s : robot.links[i].shapes) {
-      if (!has_written_size(robot.shapes[s], root)) return std::nullopt;
-      boxes.push_back(robot.shapes[s].box_W);
+  const auto boxes_of = [&](std::uint32_t leader, std::vector<OrientedBox>& boxes) {
+    for (const std::uint32_t i : rigid.members[leader]) {
+      if (!robot.links[i].complete()) return false;
+      for (const std::uint32_t s : robot.links[i].shapes) {
+        if (!has_written_size(robot.shapes[s], root)) return false;
+        boxes.push_back(robot.shapes[s].box_W);
+      }
     }
-  }
-  if (sides.child.empty() || sides.parent.empty()) return std::nullopt;
+    return !boxes.empty();
+  };
+  if (!boxes_of(rigid.leaders[ends.child.value], sides.child)) return std::nullopt;
+  if (!boxes_of(rigid.leaders[ends.parent.value], sides.parent)) return std::nullopt;
   return sides;
 }
 

@@ -28,8 +28,9 @@ struct RigidGroups {
   /// Whether fixed joints alone lead from `base` to the link; so for the link itself.
   bool is_fixed_to(std::uint32_t link, std::uint32_t base) const;
 
-  Links fixed_to;  ///< of each link the one it is fixed to; itself for one that moves
-  Links leaders;   ///< of each link the one that carries all that is fixed to it
+  Links fixed_to;              ///< of each link the one it is fixed to; itself for one that moves
+  Links leaders;               ///< of each link the one that carries all that is fixed to it
+  std::vector<Links> members;  ///< of each leader itself and what is fixed to it; in order
 };
 
 /// Positions of a joint, rad or m.
@@ -38,8 +39,8 @@ struct Range {
   double upper = 0;
 };
 
-/// Of a joint that turns or slides; nothing without two limits that are finite and ascend, nor where they are a hundred or more
-/// apart, which is how files say that there are none.
+/// Of a joint that turns or slides; nothing without two limits that are finite and ascend, nor where they are a hundred
+/// or more apart, which is how files say that there are none.
 std::optional<Range> limited_range(const model::Joint& joint);
 
 /// How the child stands to the parent.
@@ -63,7 +64,8 @@ struct JointSides {
   std::vector<Stand> between(const Range& range) const;
 };
 
-/// Nothing for a joint of another type, one that carries nothing, and where the size of a shape on either side is not known.
+/// Nothing for a joint of another type, one that carries nothing, and where the size of a shape on either side is not
+/// known.
 std::optional<JointSides> sides_of(model::Id<model::Joint> joint, const model::Root& root,
                                    const model::Frames& frames, const Assembled& robot,
                                    const RigidGroups& rigid);
