@@ -68,11 +68,14 @@ double separation(const OrientedBox& a, const OrientedBox& b) {
   // The axes of b, and the way to it, along those of a.
   std::array<std::array<double, 3>, 3> R{}, absolute{};
   std::array<double, 3> t{};
+  bool parallel = true;  // so that each normal of two edges is one of a face
   for (std::size_t i = 0; i < 3; ++i) {
     t[i] = dot(between, a.axes_W[i]);
     for (std::size_t j = 0; j < 3; ++j) {
       R[i][j] = dot(a.axes_W[i], b.axes_W[j]);
       absolute[i][j] = std::abs(R[i][j]);
+      constexpr double kRounding = 1e-12;
+      parallel = parallel && (absolute[i][j] < kRounding || absolute[i][j] > 1 - kRounding);
     }
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -88,7 +91,7 @@ double separation(const OrientedBox& a, const OrientedBox& b) {
   }
   // Nearly parallel edges have no common normal, and the faces have looked there already.
   constexpr double kParallel = 1e-5;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3 && !parallel; ++i) {
     const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (std::size_t j = 0; j < 3; ++j) {
       const double sine2 = 1 - R[i][j] * R[i][j];  // squared length of the normal of both edges
@@ -138,11 +141,15 @@ double share_inside(const OrientedBox& box, const std::vector<OrientedBox>& othe
     // Along each axis of the other: the middle of the box, and half of each of its sides.
     std::array<double, 3> middle{};
     std::array<std::array<double, 3>, 3> sides{};
+    bool is_near = true;
     for (std::size_t k = 0; k < 3; ++k) {
       middle[k] = dot(between, other.axes_W[k]);
       for (std::size_t i = 0; i < 3; ++i)
         sides[i][k] = box.half[i] * dot(box.axes_W[i], other.axes_W[k]);
+      const double farthest = std::abs(sides[0][k]) + std::abs(sides[1][k]) + std::abs(sides[2][k]);
+      is_near = is_near && std::abs(middle[k]) <= other.half[k] + kMiddles.back() * farthest;
     }
+    if (!is_near) continue;
     for (std::size_t x = 0; x < 4; ++x) {
       for (std::size_t y = 0; y < 4; ++y) {
         // Of this row of parts, those between the two ends of the other box along each of its axes.

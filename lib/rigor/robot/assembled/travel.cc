@@ -42,6 +42,18 @@ bool has_written_size(const AssembledShape& shape, const model::Root& root) {
   return std::visit(HasWrittenSize{}, geometry.shape);
 }
 
+std::vector<OrientedBox> child_at(const JointSides& sides, double position) {
+  const model::Quaternion turn =
+      sides.slides ? model::Quaternion{} : model::from_axis_angle(sides.axis_W, position);
+  const model::Vector3 shift = sides.slides ? position * sides.axis_W : model::Vector3{};
+  std::vector<OrientedBox> boxes = sides.child;
+  for (OrientedBox& box : boxes) {
+    box.center_W = sides.pivot_W + shift + rotate(turn, box.center_W - sides.pivot_W);
+    for (model::Vector3& axis : box.axes_W) axis = rotate(turn, axis);
+  }
+  return boxes;
+}
+
 }  // namespace
 
 RigidGroups::RigidGroups(const model::Root& root, const model::Frames& frames,
@@ -90,42 +102,42 @@ std::optional<Range> limited_range(const model::Joint& joint) {
 }
 
 Stand JointSides::at(double position) const {
-  const model::Quaternion turn =
-      slides ? model::Quaternion{} : model::from_axis_angle(axis_W, position);
-  const model::Vector3 shift = slides ? position * axis_W : model::Vector3{};
-  Stand stand{position, std::numeric_limits<double>::infinity(), 0};
-  double volume = 0, shared = 0;
-  std::vector<OrientedBox> overlapping;
-  for (const OrientedBox& still : child) {
-    OrientedBox box = still;
-    box.center_W = pivot_W + shift + rotate(turn, still.center_W - pivot_W);
-    for (model::Vector3& axis : box.axes_W) axis = rotate(turn, axis);
-    overlapping.clear();
+  double gap = std::numeric_limits<double>::infinity();
+  for (const OrientedBox& box : child_at(*this, position)) {
     for (const OrientedBox& other : parent) {
       const double apart = model::length(other.center_W - box.center_W);
-      if (apart - (diameter(box) + diameter(other)) / 2 >= stand.gap) continue;
-      const double between = separation(box, other);
-      stand.gap = std::min(stand.gap, std::max(0.0, between));
-      if (between < -kRounding) overlapping.push_back(other);
+      if (apart - (diameter(box) + diameter(other)) / 2 >= gap) continue;
+      gap = std::min(gap, std::max(0.0, separation(box, other)));
     }
+  }
+  return {position, gap < kRounding ? 0 : gap, inside(position)};
+}
+
+double JointSides::inside(double position) const {
+  double volume = 0, shared = 0;
+  for (const OrientedBox& box : child_at(*this, position)) {
     const double size = box.half[0] * box.half[1] * box.half[2];
     volume += size;
-    if (!overlapping.empty()) shared += size * share_inside(box, overlapping);
+    shared += size * share_inside(box, parent);
   }
-  if (stand.gap < kRounding) stand.gap = 0;
-  if (volume > 0) stand.inside = shared / volume;
-  return stand;
+  return volume > 0 ? shared / volume : 0;
 }
 
 std::vector<Stand> JointSides::between(const Range& range) const {
+  std::vector<Stand> stands;
+  for (const double position : positions_in(range)) stands.push_back(at(position));
+  return stands;
+}
+
+std::vector<double> positions_in(const Range& range) {
   const auto [lower, upper] = range;
   constexpr int kSteps = 8;
-  std::vector<Stand> stands;
-  for (int i = 0; i <= kSteps; ++i) stands.push_back(at(lower + (upper - lower) * i / kSteps));
-  const auto after = std::find_if(stands.begin(), stands.end(),
-                                  [](const Stand& stand) { return stand.position >= 0; });
-  if (lower < 0 && after != stands.end() && after->position > 0) stands.insert(after, at(0));
-  return stands;
+  std::vector<double> positions;
+  for (int i = 0; i <= kSteps; ++i) positions.push_back(lower + (upper - lower) * i / kSteps);
+  const auto after = std::find_if(positions.begin(), positions.end(),
+                                  [](double position) { return position >= 0; });
+  if (lower < 0 && after != positions.end() && *after > 0) positions.insert(after, 0);
+  return positions;
 }
 
 std::optional<JointSides> sides_of(model::Id<model::Joint> joint, const model::Root& root,

@@ -22,25 +22,34 @@ constexpr double kInside = 0.3;
 constexpr double kMore = 0.2;     // than at zero
 constexpr double kBeside = 0.25;  // at zero
 
-robot::Stand deepest(const robot::JointSides& sides, const robot::Range& range) {
-  const std::vector<robot::Stand> stands = sides.between(range);
-  return *std::max_element(stands.begin(), stands.end(),
-                           [](const auto& a, const auto& b) { return a.inside < b.inside; });
+/// Where the child is inside of the parent.
+struct Depth {
+  double position = 0;  // of the joint, rad or m
+  double inside = -1;   // share of the child
+};
+
+Depth deepest(const robot::JointSides& sides, const robot::Range& range) {
+  Depth most;
+  for (const double position : robot::positions_in(range)) {
+    const double inside = sides.inside(position);
+    if (inside > most.inside) most = {position, inside};
+  }
+  return most;
 }
 
 /// Whether any of it is inside where the range begins, ends or has its middle: elsewhere only then is it checked.
 bool is_touched(const robot::JointSides& sides, const robot::Range& range) {
   constexpr double kTouched = 0.1;
   const double middle = (range.lower + range.upper) / 2;
-  return sides.at(range.upper).inside > kTouched || sides.at(range.lower).inside > kTouched ||
-         sides.at(middle).inside > kTouched;
+  return sides.inside(range.upper) > kTouched || sides.inside(range.lower) > kTouched ||
+         sides.inside(middle) > kTouched;
 }
 
 struct Entry {
   const model::Joint* joint = nullptr;
   robot::Range range;
   double at_zero = 0;
-  robot::Stand deepest;
+  Depth deepest;
   bool is_outside_mirrored = false;  // with the signs of its limits exchanged
 };
 
@@ -81,11 +90,11 @@ void check(const model::Root& root, Context& context) {
     const auto sides = robot::sides_of({j}, root, context.frames(), robot, rigid);
     if (!sides) continue;
     if (!is_touched(*sides, *range)) continue;
-    const double at_zero = sides->at(0).inside;
+    const double at_zero = sides->inside(0);
     if (at_zero > kBeside) continue;
-    const robot::Stand most = deepest(*sides, *range);
+    const Depth most = deepest(*sides, *range);
     if (most.inside < std::max(kInside, at_zero + kMore)) continue;
-    const robot::Stand mirrored = deepest(*sides, {-range->upper, -range->lower});
+    const Depth mirrored = deepest(*sides, {-range->upper, -range->lower});
     found.push_back({&joint, *range, at_zero, most, mirrored.inside < at_zero + kMore / 2});
   }
   for (const Entry& one : found) {

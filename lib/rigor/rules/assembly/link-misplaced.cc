@@ -120,12 +120,11 @@ std::optional<Misplaced> look_at(const PlacedUnit& unit, const Company& company,
   const robot::Links moved = moved_links.with(unit.link);
   const auto gap = robot.gap(moved, {}, apart);
   if (!gap || !(*gap > apart)) return std::nullopt;
-  const auto true_gap = robot.gap(moved);
   for (Undone& change : undone_slips(unit.pose->pose.value.translation)) {
     const Vector3 shift = shift_of(unit.pose->pose.value, unit.X_WL, change.value);
     const auto then = robot.gap(moved, shift, kTouching * company.longest);
     if (then && *then <= kTouching * company.longest)
-      return Misplaced{unit, *true_gap, company.longest, std::move(change),
+      return Misplaced{unit, *gap, company.longest, std::move(change),
                        touches_exchanged(unit, moved, company, robot)};
   }
   return std::nullopt;

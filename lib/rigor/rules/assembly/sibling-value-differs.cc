@@ -54,7 +54,8 @@ std::string name_of(const SiblingField& field) {
 
 struct Comparison {
   std::size_t agreeing = 0;
-  std::vector<std::size_t> different;  ///< but for where they are
+  std::size_t differing = 0;  ///< fields, but for where they are; counted up to two
+  std::size_t different = 0;  ///< the last of them
   bool same_place = true;
 };
 
@@ -68,8 +69,8 @@ std::optional<Comparison> compared_fields(const Fields& a, const Fields& b) {
     } else if (is_place(a[i])) {
       result.same_place = false;
     } else {
-      result.different.push_back(i);
-      if (result.different.size() > 1) break;
+      result.different = i;
+      if (++result.differing > 1) break;
     }
   }
   return result;
@@ -149,10 +150,10 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
       if (other == one) continue;
       const auto found = compared_fields(all[one], all[other]);
       if (!found) continue;
-      if (found->different.empty() && found->same_place) alone_in_place = false;
+      if (found->differing == 0 && found->same_place) alone_in_place = false;
       if (found->agreeing < kAgreeing) continue;
-      if (found->different.size() == 1) by_field[found->different.front()].push_back(other);
-      if (!found->different.empty()) continue;
+      if (found->differing == 1) by_field[found->different].push_back(other);
+      if (found->differing > 0) continue;
       alone = false;
       if (!found->same_place) elsewhere.push_back(other);
     }
@@ -310,8 +311,8 @@ std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector
   const auto found = compared_fields(all[a], all[b]);
   if (!found) return {};
   std::optional<std::size_t> field;
-  if (found->different.size() == 1 && found->same_place) field = found->different.front();
-  if (found->different.empty() && !found->same_place) field = place_field(all[a]);
+  if (found->differing == 1 && found->same_place) field = found->different;
+  if (found->differing == 0 && !found->same_place) field = place_field(all[a]);
   if (!field || (found->agreeing < enough && found->agreeing + support(a, b) < enough)) return {};
   const SiblingField& one = all[a][*field];
   const SiblingField& other = all[b][*field];
@@ -475,7 +476,7 @@ void check(const model::Root& root, Context& context) {
     if (!child_a || !child_b) return 0;
     const auto found =
         compared_fields(lister.of_link(root[child_a]), lister.of_link(root[child_b]));
-    return found && found->different.empty() ? found->agreeing : 0;
+    return found && found->differing == 0 ? found->agreeing : 0;
   };
   check_family(
       root.links, [&](const model::Link& link) { return lister.of_link(link); },
