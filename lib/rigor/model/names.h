@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory_resource>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -58,7 +59,8 @@ class Names {
   Named find_here(ScopeId scope, std::string_view name) const;
 
   const Root& root_;
-  std::unordered_map<Key, Named, Hash> table_;
+  std::pmr::monotonic_buffer_resource memory_;  // they are never taken out
+  std::pmr::unordered_map<Key, Named, Hash> table_{&memory_};
 };
 
 }  // namespace rigor::model

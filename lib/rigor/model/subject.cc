@@ -3,13 +3,16 @@
 
 #include <rigor/model/subject.h>
 
+#include <string_view>
+
 namespace rigor::model {
 namespace {
 
-std::string inside(std::string outer, const char* kind, const std::string& name) {
+std::string inside(std::string outer, std::string_view kind, const std::string& name) {
+  outer.reserve(outer.size() + kind.size() + name.size() + 2);
   if (!outer.empty()) outer += '/';
   outer += kind;
-  if (!name.empty()) outer += ' ' + name;
+  if (!name.empty()) outer.append(1, ' ').append(name);
   return outer;
 }
 

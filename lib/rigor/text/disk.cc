@@ -155,7 +155,7 @@ void MemoryDisk::put(const std::string& path, std::string bytes) {
 const MemoryDisk::Entry* MemoryDisk::find(const std::string& path) const {
   // Nearly always the path is in its normal form.
   auto found = entries_.find(path);
-  if (found == entries_.end()) found = entries_.find(normalize_path(path));
+  if (found == entries_.end() && !is_normal(path)) found = entries_.find(normalize_path(path));
   return found == entries_.end() ? nullptr : &found->second;
 }
 

@@ -10,10 +10,6 @@
 
 namespace rigor {
 
-namespace {
-
-/// Whether nothing in a path is to be removed; most paths are like that: no part is empty or begins with
-/// a dot.
 bool is_normal(std::string_view path) {
   if (path.empty() || path.front() == '.' || path.back() == '/') return false;
   for (std::size_t at = path.find('/'); at != std::string_view::npos; at = path.find('/', at + 1)) {
@@ -21,8 +17,6 @@ bool is_normal(std::string_view path) {
   }
   return true;
 }
-
-}  // namespace
 
 std::string normalize_path(std::string_view path) {
   if (is_normal(path)) return std::string(path);

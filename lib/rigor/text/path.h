@@ -13,6 +13,9 @@
 
 namespace rigor {
 
+/// Whether nothing in a path is to be removed: no part is empty or begins with a dot. Most paths are like that.
+bool is_normal(std::string_view path);
+
 /// Removes `.`, empty parts and, where a part stands before it, `..`. "" becomes ".".
 std::string normalize_path(std::string_view path);
 
