@@ -24,9 +24,11 @@ bool round_degrees(double angle) {
 /// A full turn has two digits in degrees: most poses need no closer look.
 bool has_long_number(std::string_view bytes) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  bool starts = true;
   for (std::size_t i = 0; i + 1 < bytes.size(); ++i) {
-    const bool starts = i == 0 || (!is_digit(bytes[i - 1]) && bytes[i - 1] != '.');
-    if (starts && is_digit(bytes[i]) && is_digit(bytes[i + 1])) return true;
+    const bool digit = is_digit(bytes[i]);
+    if (digit && starts && is_digit(bytes[i + 1])) return true;
+    starts = !digit && bytes[i] != '.';
   }
   return false;
 }

@@ -7,12 +7,12 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include <rigor/model/geometry.h>
 
@@ -21,7 +21,7 @@ namespace rigor::rules {
 /// Kind, sizes and file.
 struct ShapeKey {
   std::size_t kind = 0;
-  std::vector<double> sizes;  ///< m, in the order of the shape's members; a mesh's scale
+  std::array<double, 3> sizes{};  ///< m, in the order of the shape's members; a mesh's scale
   std::string file;
 
   auto operator<=>(const ShapeKey&) const = default;
@@ -30,9 +30,7 @@ struct ShapeKey {
 /// Nothing for a shape whose size is not written, and for planes, heightmaps, images and outlines.
 inline std::optional<ShapeKey> shape_key(const model::Shape& shape) {
   ShapeKey key{.kind = shape.index()};
-  const auto add = [&key](const model::Vector3& v) {
-    key.sizes.insert(key.sizes.end(), {v.x, v.y, v.z});
-  };
+  const auto add = [&key](const model::Vector3& v) { key.sizes = {v.x, v.y, v.z}; };
   const auto add_round = [&key](const auto& round) {
     key.sizes = {round.radius.value, round.length.value};
     return round.radius.written && round.length.written;

@@ -78,10 +78,13 @@ void check(const model::Link& link, Context& context) {
   const model::Root& root = context.root();
   std::map<ShapeKey, Pair> pairs;
   for (const auto id : link.collisions) {
-    if (const auto key = shape_key(root[id].geometry.shape)) pairs[*key].collisions.push_back(id);
+    if (auto key = shape_key(root[id].geometry.shape))
+      pairs[*std::move(key)].collisions.push_back(id);
   }
   for (const auto id : link.visuals) {
-    if (const auto key = shape_key(root[id].geometry.shape)) pairs[*key].visuals.push_back(id);
+    const auto key = shape_key(root[id].geometry.shape);
+    const auto pair = key ? pairs.find(*key) : pairs.end();
+    if (pair != pairs.end()) pair->second.visuals.push_back(id);
   }
   for (auto& [key, pair] : pairs) {
     if (pair.collisions.size() != pair.visuals.size() || pair.visuals.size() > kMaxAlike) continue;

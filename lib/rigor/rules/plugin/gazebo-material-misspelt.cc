@@ -31,16 +31,17 @@ constexpr std::string_view kMaterials =
     "WoodFloor WoodPallet XYZNormals XYZPoints Yellow YellowGlow YellowTransparent "
     "ZincYellow";
 
-void check_name(const model::Field<std::string>& name, const std::string& subject,
+/// `visual` is null where a <gazebo> block holds the name.
+void check_name(const model::Field<std::string>& name, const model::Visual* visual,
                 Context& context) {
   if (!name.value.starts_with(kPrefix) || !context.may_suggest()) return;
   const std::string_view inner = std::string_view(name.value).substr(kPrefix.size());
+  if (has_word(kMaterials, inner)) return;
   std::vector<std::string_view> known;
-  const bool exists = some_word(kMaterials, [&](std::string_view word) {
+  some_word(kMaterials, [&known](std::string_view word) {
     known.push_back(word);
-    return word == inner;
+    return false;
   });
-  if (exists) return;
   context.compared(known.size());
   const auto near = schema::near(inner, known);
   if (near.empty()) return;  // of a script of the author's own
@@ -51,7 +52,7 @@ void check_name(const model::Field<std::string>& name, const std::string& subjec
   }
   context.report({.where = name.span,
                   .message = "Gazebo has no material '" + name.value + "'",
-                  .subject = subject,
+                  .subject = visual ? context.subject(*visual) : std::string(),
                   .help = "did you mean '" + meant + "'?",
                   .fix = std::move(fix)});
 }
@@ -59,12 +60,12 @@ void check_name(const model::Field<std::string>& name, const std::string& subjec
 void check(const model::Root& root, Context& context) {
   for (const model::Visual& visual : root.visuals) {
     if (!root.own(visual.site) || !visual.material.written) continue;
-    check_name(visual.material.name, context.subject(visual), context);
+    check_name(visual.material.name, &visual, context);
   }
   for (const model::GazeboBlock& block : root.gazebo_blocks) {
     if (!root.own(block.site)) continue;
     const model::Parameter* material = find(block.content, "material");
-    if (material != nullptr) check_name(material->value, {}, context);
+    if (material != nullptr) check_name(material->value, nullptr, context);
   }
 }
 
