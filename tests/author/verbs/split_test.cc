@@ -5,6 +5,8 @@
 
 #include <rigor/author/verbs/split.h>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <rigor/author/verbs/lump.h>
@@ -104,6 +106,49 @@ TEST(Split, TheMassOfShapes) {
   const ProvenChange lumped_again = bench.prove(*proven.after, lumped(*proven.after, {"tip_link"}));
   ASSERT_TRUE(lumped_again.holds());
   EXPECT_EQ(VerbBench::words(differences_at_rounding(arm.robot, lumped_again.after->robot)), "");
+}
+
+/// The moments of a rod are 0, a and a: rotated, they miss the triangle inequality by a rounding, and libsdformat
+/// rejects the link. The new one has them as they were, in a frame that is rotated.
+TEST(Split, TheTensorOfARodIsNotRotated) {
+  constexpr const char* kRod = R"(<sdf version="1.6">
+  <model name="m">
+    <link name="rod">
+      <inertial>
+        <mass>3</mass>
+        <inertia>
+          <ixx>3</ixx>
+          <iyy>0</iyy>
+          <izz>3</izz>
+        </inertia>
+      </inertial>
+      <collision name="a"><geometry><mesh><uri>rod.stl</uri></mesh></geometry></collision>
+      <visual name="b"><geometry><mesh><uri>rod.stl</uri></mesh></geometry></visual>
+    </link>
+  </model>
+</sdf>
+)";
+  VerbBench bench({{"rod.sdf", kRod}});
+  const EditedModel& rod = bench.open("rod.sdf");
+  SplitRequest request;
+  request.name = "part";
+  request.X_LN = {{0.1, -0.2, 0.3}, model::from_rpy(0.4, -0.5, 0.6)};
+  request.take = {"b"};
+  request.share = SplitMass::kGiven;
+  request.mass = 1;
+  const Change change = split(rod, "rod", request);
+  const ProvenChange proven = bench.prove(rod, change);
+  ASSERT_TRUE(proven.holds()) << proven.refused << VerbBench::words(proven.unasked);
+  const model::Root& after = proven.after->root();
+  const model::Inertial& part = after[proven.after->link("part")].inertial;
+  EXPECT_EQ(part.ixx.value, 1);
+  EXPECT_EQ(part.iyy.value, 0);
+  EXPECT_EQ(part.izz.value, 1);
+  EXPECT_EQ(part.ixy.value, 0);
+  // In the rod's frame nothing is rotated.
+  const model::Pose back = compose(request.X_LN, part.pose.pose.value);
+  EXPECT_LT(length(back.translation), 1e-12);
+  EXPECT_NEAR(std::abs(back.rotation.w), 1, 1e-12);
 }
 
 /// What is computed is written number by number, by split and by lump; what its author did not write is added.

@@ -66,10 +66,12 @@ void set_inertial(Draft& draft, const EditedModel& edited, const model::Link& li
   if (!missing.empty()) draft.insert(tensor, last_child_of(tensor), missing);
 }
 
-std::string inertial_block(const mass::MassProperties& body, InertialForm form) {
+std::string inertial_block(const mass::MassProperties& body, InertialForm form,
+                           const model::Pose& X_LB) {
   const auto text = [](double value) { return schema::to_shortest(value + 0.0); };
-  const std::string com =
-      fmt::format("{} {} {}", text(body.com.x), text(body.com.y), text(body.com.z));
+  const model::Vector3 com = transform(X_LB, body.com);
+  const std::string xyz = fmt::format("{} {} {}", text(com.x), text(com.y), text(com.z));
+  const std::string rpy = rpy_text(X_LB);
   const mass::Inertia& I = body.about_com;
   const std::pair<const char*, double> entries[] = {{"ixx", I.ixx}, {"ixy", I.ixy}, {"ixz", I.ixz},
                                                     {"iyy", I.iyy}, {"iyz", I.iyz}, {"izz", I.izz}};
@@ -77,17 +79,18 @@ std::string inertial_block(const mass::MassProperties& body, InertialForm form) 
   if (form == InertialForm::kUrdf) {
     for (const auto& [name, value] : entries)
       tensor += fmt::format(" {}=\"{}\"", name, text(value));
+    const std::string turn = rpy == "0 0 0" ? "" : fmt::format(" rpy=\"{}\"", rpy);
     return fmt::format(
-        "<inertial>\n  <origin xyz=\"{}\"/>\n  <mass value=\"{}\"/>\n  "
+        "<inertial>\n  <origin xyz=\"{}\"{}/>\n  <mass value=\"{}\"/>\n  "
         "<inertia{}/>\n</inertial>",
-        com, text(body.mass), tensor);
+        xyz, turn, text(body.mass), tensor);
   }
   for (const auto& [name, value] : entries)
     tensor += fmt::format("    <{0}>{1}</{0}>\n", name, text(value));
   return fmt::format(
-      "<inertial>\n  <pose>{} 0 0 0</pose>\n  <mass>{}</mass>\n  <inertia>\n{}  "
+      "<inertial>\n  <pose>{} {}</pose>\n  <mass>{}</mass>\n  <inertia>\n{}  "
       "</inertia>\n</inertial>",
-      com, text(body.mass), tensor);
+      xyz, rpy, text(body.mass), tensor);
 }
 
 std::string indented_by(const std::string& text, const std::string& by, const std::string& line) {

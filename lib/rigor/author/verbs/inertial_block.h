@@ -18,8 +18,10 @@ namespace rigor::author {
 
 enum class InertialForm : std::uint8_t { kSdf, kUrdf };
 
-/// In the link's frame; lines are ended by '\n' and indented from nothing.
-std::string inertial_block(const mass::MassProperties& body, InertialForm form);
+/// Lines are ended by '\n' and indented from nothing. `X_LB` is where the frame of the body is in that of the link; its
+/// rotation is written, rather than the tensor rotated: by a rounding a rod's would be none that a body can have.
+std::string inertial_block(const mass::MassProperties& body, InertialForm form,
+                           const model::Pose& X_LB = {});
 
 /// Gives a link of the file that inertial, in the link's frame: number by number where it has one, so that comments and
 /// layout stay, else as its first child behind a pose.

@@ -183,8 +183,8 @@ class Splitter {
     };
     if (!edited_.is_urdf()) add(pose_text());
     if (goes_.mass > 0) {
-      const mass::MassProperties in_new = mass::transformed(inverse(request_.X_LN), goes_);
-      add(inertial_block(in_new, edited_.is_urdf() ? InertialForm::kUrdf : InertialForm::kSdf));
+      add(inertial_block(goes_, edited_.is_urdf() ? InertialForm::kUrdf : InertialForm::kSdf,
+                         inverse(request_.X_LN)));
     }
     for (const xml::Element child : element.children()) {
       if (!taken_.contains(child.index())) continue;
