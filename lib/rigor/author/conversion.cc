@@ -9,7 +9,10 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -488,30 +491,27 @@ namespace {
 /// As the result is but for what was chosen: links between joints have no mass, what they carry has it; joints
 /// that close loops, which the expected robot lacks, are left out.
 void settle_mjcf(const convert::FromMjcfConversion& converted, robot::Robot& robot) {
-  const auto index_of = [&robot](const std::string& name) {
-    std::uint32_t i = 0;
-    while (i < robot.bodies.size() && robot.bodies[i].name != name) ++i;
-    return i;
-  };
+  std::unordered_map<std::string_view, std::uint32_t> index;
+  for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) index.emplace(robot.bodies[i].name, i);
+  std::vector<bool> is_between(robot.bodies.size());
   for (const std::string& name : converted.between) {
-    const std::uint32_t between = index_of(name);
-    if (between == robot.bodies.size()) continue;
-    std::uint32_t carried = between;
-    for (bool on = true; on;) {
-      on = false;
-      for (const robot::Joint& joint : robot.joints) {
-        const std::string& own = robot.bodies[carried].name;
-        const bool last = std::find(converted.between.begin(), converted.between.end(), own) ==
-                          converted.between.end();
-        if (last || joint.parent != carried) continue;
-        carried = joint.child;
-        on = true;
-        break;
-      }
-    }
-    if (carried == between) continue;
-    robot.bodies[carried].mass = mass::add(robot.bodies[carried].mass, robot.bodies[between].mass);
-    robot.bodies[between].mass = {};
+    if (const auto found = index.find(name); found != index.end()) is_between[found->second] = true;
+  }
+  std::vector<std::uint32_t> first_child(robot.bodies.size(), robot::kNoIndex);
+  for (const robot::Joint& joint : robot.joints) {
+    if (!joint.closes_loop && first_child[joint.parent] == robot::kNoIndex)
+      first_child[joint.parent] = joint.child;
+  }
+  for (const std::string& name : converted.between) {
+    const auto between = index.find(name);
+    if (between == index.end()) continue;
+    std::uint32_t carried = between->second;
+    while (is_between[carried] && first_child[carried] != robot::kNoIndex)
+      carried = first_child[carried];
+    if (carried == between->second) continue;
+    mass::MassProperties& own = robot.bodies[between->second].mass;
+    robot.bodies[carried].mass = mass::add(robot.bodies[carried].mass, own);
+    own = {};
   }
   const std::size_t before = robot.joints.size();
   std::erase_if(robot.joints, [](const robot::Joint& joint) { return joint.closes_loop; });

@@ -229,24 +229,22 @@ void MjcfPlan::find_loops() {
   }
 }
 
-std::string MjcfPlan::unique(std::set<std::string>& taken, const std::string& name) const {
-  const std::string base = target == MjcfTarget::kSdf ? sdf_name(name) : name;
-  std::string result = base;
-  for (int n = 2; !taken.insert(result).second; ++n) result = base + '_' + std::to_string(n);
-  return result;
+std::string MjcfPlan::unique(write::UniqueNames& taken, const std::string& name) const {
+  return taken.add(target == MjcfTarget::kSdf ? sdf_name(name) : name);
 }
 
 /// SDF has one set of names for links, joints and frames; `world` is no link's.
 void MjcfPlan::name_all() {
-  taken_links.insert(robot::kWorldBody);
+  taken_links.insert(std::string(robot::kWorldBody));
   if (target == MjcfTarget::kSdf && shows_world) {
-    taken_links.insert({std::string(kSurroundings), std::string(kSurroundings) + "_joint"});
+    taken_links.insert(std::string(kSurroundings));
+    taken_links.insert(std::string(kSurroundings) + "_joint");
   }
   for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
     link_names.push_back(!chosen[i] ? std::string(robot::kWorldBody)
                                     : unique(taken_links, robot.bodies[i].name));
   }
-  std::set<std::string>& taken = target == MjcfTarget::kSdf ? taken_links : taken_joints;
+  write::UniqueNames& taken = target == MjcfTarget::kSdf ? taken_links : taken_joints;
   const auto joint_name = [&](const std::string& name) {
     return unique(taken, taken.contains(name) ? name + "_joint" : name);
   };
@@ -270,7 +268,7 @@ void MjcfPlan::settle_balls() {
 /// libsdformat takes no name of a visual for a collision of the same link.
 void MjcfPlan::name_parts() {
   for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
-    std::set<std::string> taken;
+    write::UniqueNames taken;
     const auto name = [&](std::vector<robot::Part>& parts, const std::string& kind) {
       for (robot::Part& part : parts) {
         if (part.name.empty()) part.name = kind;
@@ -279,7 +277,7 @@ void MjcfPlan::name_parts() {
       }
     };
     name(robot.bodies[i].visuals, "visual");
-    if (target == MjcfTarget::kUrdf) taken.clear();
+    if (target == MjcfTarget::kUrdf) taken = write::UniqueNames();
     name(robot.bodies[i].collisions, "collision");
   }
 }

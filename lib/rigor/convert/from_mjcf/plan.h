@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +19,7 @@
 
 #include <rigor/convert/from_mjcf.h>
 #include <rigor/read/mjcf/mjcf_scope.h>
+#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 
@@ -50,7 +50,7 @@ struct MjcfPlan {
   bool is_between(std::uint32_t body) const {
     return body < root().links.size() && link(body).between_joints;
   }
-  std::string unique(std::set<std::string>& taken, const std::string& name) const;
+  std::string unique(write::UniqueNames& taken, const std::string& name) const;
 
   const FromMjcfSource& source;
   const FromMjcfOptions& options;
@@ -66,12 +66,12 @@ struct MjcfPlan {
   std::vector<model::Id<model::Joint>> joint_ids;                  ///< of the robot's joints
   std::vector<std::optional<model::Id<model::Joint>>> free_joint;  ///< of each body
   std::uint32_t world = robot::kNoIndex;
-  std::vector<bool> chosen;              ///< bodies that are converted, the world aside
-  bool shows_world = false;              ///< whether the shapes of the world are converted
-  bool is_static = false;                ///< SDF: whether nothing of it ever moves
-  std::vector<std::string> link_names;   ///< in the result, by body
-  std::vector<std::string> joint_names;  ///< in the result, by joint of the robot
-  std::set<std::string> taken_links, taken_joints;  ///< one set in SDF: `taken_links`
+  std::vector<bool> chosen;                      ///< bodies that are converted, the world aside
+  bool shows_world = false;                      ///< whether the shapes of the world are converted
+  bool is_static = false;                        ///< SDF: whether nothing of it ever moves
+  std::vector<std::string> link_names;           ///< in the result, by body
+  std::vector<std::string> joint_names;          ///< in the result, by joint of the robot
+  write::UniqueNames taken_links, taken_joints;  ///< one set in SDF: `taken_links`
   std::vector<MjcfLoop> loops;
   std::vector<xml::Element> locks;  ///< equalities that hold a joint in place
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include <rigor/convert/from_mjcf/contact.h>
@@ -322,7 +321,7 @@ class MjcfToSdf {
   const model::Root& root_;
   Ledger& ledger_;
   FromMjcfConversion& result_;
-  std::set<std::string> taken_;
+  write::UniqueNames taken_;
   SdfDraft draft_;
   MjcfShaper shaper_;
   MjcfSensors sensors_;

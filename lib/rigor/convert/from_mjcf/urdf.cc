@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include <rigor/convert/from_mjcf/contact.h>
@@ -334,7 +333,7 @@ class MjcfToUrdf {
   UrdfDraft draft_;
   MjcfShaper shaper_;
   bool needs_world_ = false;
-  std::set<std::string> link_names_, joint_names_;
+  write::UniqueNames link_names_, joint_names_;
 };
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <set>
 #include <utility>
 
 #include <rigor/mass/nearest.h>
 #include <rigor/robot/lumping.h>
+#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 namespace {
@@ -27,19 +27,6 @@ constexpr double kMasslessShare = 1e-10;
 constexpr double kWeightlessRobot = 1;
 /// kg: below it MuJoCo rejects the inertia that goes with it.
 constexpr double kMinMasslessLink = 1e-12;
-
-/// Makes a name that no other has by a number behind it.
-class UniqueNames {
- public:
-  std::string add(const std::string& name) {
-    std::string result = name;
-    for (int n = 2; !taken_.insert(result).second; ++n) result = name + '_' + std::to_string(n);
-    return result;
-  }
-
- private:
-  std::set<std::string> taken_;
-};
 
 /// Each link on fixed joints → the first body above it that moves, or that nothing carries.
 std::map<std::string, std::string> lumped(const Robot& robot) {
@@ -206,7 +193,7 @@ class MjcfAssembler {
   const MjcfOptions& options_;
   MjcfAssembly result_;
   robot::Body world_;
-  UniqueNames body_names_, joint_names_;
+  write::UniqueNames body_names_, joint_names_;
 };
 
 }  // namespace

@@ -20,10 +20,7 @@ std::vector<robot::Look> MjcfDraft::looks_of(const model::Visual& visual,
 }
 
 std::string MjcfDraft::name_for(std::string_view kind, const std::string& name) {
-  std::set<std::string>& taken = names[std::string(kind)];
-  std::string result = name;
-  for (int n = 2; !taken.insert(result).second; ++n) result = name + '_' + std::to_string(n);
-  return result;
+  return names[std::string(kind)].add(name);
 }
 
 }  // namespace rigor::convert

@@ -22,6 +22,7 @@
 #include <rigor/convert/to_mjcf.h>
 #include <rigor/mesh/read.h>
 #include <rigor/robot/look.h>
+#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 
@@ -73,7 +74,7 @@ struct MjcfDraft {
   std::vector<std::vector<std::string>> joint_names;
   double next_to_nothing = 0;  ///< kg
 
-  std::map<std::string, std::set<std::string>, std::less<>> names = {};  ///< by kind: "geom"
+  std::map<std::string, write::UniqueNames, std::less<>> names = {};  ///< by kind: "geom"
   std::map<std::string, std::string> mesh_names = {};  ///< of what was written, by what it holds
   std::map<std::string, std::vector<std::string>> group_files =
       {};  ///< likewise, one for each look

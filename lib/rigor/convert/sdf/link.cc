@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <variant>
 
@@ -16,6 +14,7 @@
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
 #include <rigor/schema/value.h>
+#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 namespace {
@@ -28,18 +27,11 @@ class ShapeNames {
  public:
   /// `fallback` is for what has none.
   std::string add(const std::string& name, const std::string& fallback) {
-    const std::string base = sdf_name(name.empty() ? fallback : name);
-    std::string result = base;
-    // Thousands of one name do not try all numbers each.
-    for (int& i = last_[base]; !taken_.insert(result).second;) {
-      result = base + '_' + std::to_string(++i);
-    }
-    return result;
+    return names_.add(sdf_name(name.empty() ? fallback : name));
   }
 
  private:
-  std::unordered_set<std::string> taken_;
-  std::unordered_map<std::string, int> last_;  // number, by name
+  write::UniqueNames names_{1};
 };
 
 struct ToUrdfGeometry {

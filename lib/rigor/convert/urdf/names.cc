@@ -19,23 +19,12 @@ std::string UrdfNames::legal(std::string_view name) const {
   return result.empty() ? fallback_ : result;
 }
 
-std::string UrdfNames::add(std::string_view name) {
-  const std::string base = legal(name);
-  std::string result = base;
-  if (taken_.count(result) != 0) {
-    int& number = last_number_.try_emplace(base, 1).first->second;
-    do {
-      result = base + '_' + std::to_string(++number);
-    } while (taken_.count(result) != 0);
-  }
-  taken_.insert(result);
-  return result;
-}
+std::string UrdfNames::add(std::string_view name) { return names_.add(legal(name)); }
 
 std::vector<std::string> UrdfNames::take(const std::vector<std::string>& names) {
   std::vector<std::string> result(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (legal(names[i]) == names[i] && taken_.insert(names[i]).second) result[i] = names[i];
+    if (legal(names[i]) == names[i] && names_.insert(names[i])) result[i] = names[i];
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (result[i].empty()) result[i] = add(names[i]);

@@ -12,10 +12,10 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
+
+#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 
@@ -23,7 +23,9 @@ class UrdfNames {
  public:
   /// `fallback` is the name of what has none; the `reserved` ones are given to nobody.
   explicit UrdfNames(std::string fallback, std::initializer_list<std::string> reserved = {})
-      : fallback_(std::move(fallback)), taken_(reserved) {}
+      : fallback_(std::move(fallback)) {
+    for (const std::string& name : reserved) names_.insert(name);
+  }
 
   /// A name for each, in their order. What can keep its name keeps it, whatever else wants it.
   std::vector<std::string> take(const std::vector<std::string>& names);
@@ -35,8 +37,7 @@ class UrdfNames {
   std::string legal(std::string_view name) const;
 
   std::string fallback_;
-  std::unordered_set<std::string> taken_;
-  std::unordered_map<std::string, int> last_number_;  // that was appended, by name
+  write::UniqueNames names_;
 };
 
 }  // namespace rigor::convert
