@@ -60,6 +60,26 @@ TEST(Edit, FromAFolderBelow) {
   EXPECT_NE(folder.get("urdf/car.urdf").find("\"drive_axle\""), std::string::npos);
 }
 
+TEST(Edit, AnotherFolderFindsTheSameMeshes) {
+  const Folder folder;
+  folder.put("urdf/lamp.urdf", R"(<robot name="lamp"><link name="bulb"><visual><geometry>
+<mesh filename="../meshes/bulb.stl"/></geometry></visual></link></robot>)");
+  folder.put("sdf/lamp.sdf", R"(<sdf version="1.9"><model name="lamp"><link name="bulb">
+<visual name="v"><geometry><mesh><uri>../meshes/bulb.stl</uri></mesh></geometry></visual></link></model></sdf>)");
+  folder.put("meshes/bulb.stl", "solid b\nendsolid b\n");
+  folder.put("out/there.txt", "");
+  for (const char* edit : {"rename bulb light urdf/lamp.urdf", "prefix my_ urdf/lamp.urdf",
+                           "downgrade 1.6 sdf/lamp.sdf", "upgrade 1.10 sdf/lamp.sdf"}) {
+    const Ran ran = folder.rigor(std::string("edit ") + edit + " -o out/lamp.sdf");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_NE(folder.get("out/lamp.sdf").find("../meshes/bulb.stl"), std::string::npos) << edit;
+    const Ran deep = folder.rigor(std::string("edit ") + edit + " -o lamp.sdf");
+    EXPECT_EQ(deep.exit, 0) << deep.err;
+    EXPECT_EQ(folder.get("lamp.sdf").find("../meshes"), std::string::npos) << edit;
+    EXPECT_NE(folder.get("lamp.sdf").find("meshes/bulb.stl"), std::string::npos) << edit;
+  }
+}
+
 TEST(Edit, IsolatedChangesOneFile) {
   const Folder folder;
   put_repository(folder);

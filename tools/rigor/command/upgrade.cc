@@ -27,6 +27,7 @@
 #include "command/command.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
+#include "output/moved_file.h"
 #include "output/output.h"
 #include "output/progress.h"
 
@@ -147,7 +148,7 @@ class UpgradeCommand final : public Command {
                          unified_diff(file.path, loaded.file->document->bytes(), result.edits) +
                              diff_of(result.config));
     } else if (!out_.empty()) {
-      replace_file(out_, result.text);
+      write_moved(out_, file.path, result.text);
     } else if (!write_) {
       rigor::tool::write({0, {}}, result.text);
     } else if (!result.edits.empty()) {

@@ -203,7 +203,7 @@ class Attacher {
 
   /// Of the gripper's file in the folder of the arm's.
   std::vector<Edit> paths_from_arm() const {
-    return moved_paths(*gripper_, parent_path(arm_.path()));
+    return moved_paths(gripper_->document(), gripper_->path(), parent_path(arm_.path()));
   }
 
   /// Without the materials of the robot that the arm has already.

@@ -106,7 +106,7 @@ class WorldMerger {
     const auto edit = block_at_end(document, world,
                                    child_indentation(document, world) + part(b_, 1, request_.X_WB));
     if (!edit) return false;
-    std::vector<Edit> edits = moved_paths(a_, folder_);
+    std::vector<Edit> edits = moved_paths(document, a_.path(), folder_);
     edits.push_back(*edit);
     world_.text = apply_edits(document.bytes(), std::move(edits)).value_or("");
     return !world_.text.empty();
@@ -121,7 +121,7 @@ class WorldMerger {
   std::string copied(const EditedModel& of, std::size_t index, const std::optional<Pose>& X) const {
     const xml::Document& document = of.document();
     const xml::Element element = of.element(of.root()[of.model].site);
-    std::vector<Edit> edits = moved_paths(of, folder_);
+    std::vector<Edit> edits = moved_paths(document, of.path(), folder_);
     if (of.robot.name != world_.names[index])
       append(edits, xml::set_attribute(document, element, "name", world_.names[index]));
     if (X) {

@@ -35,6 +35,7 @@
 #include "command/edit/edit_workspace.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
+#include "output/moved_file.h"
 #include "output/output.h"
 #include "project/guarded_disk.h"
 
@@ -315,15 +316,19 @@ class EditCommand final : public Command {
       say("rigor: " + report::printable(line) + ", which is gone");
   }
 
+  void refuse_several(std::size_t files) const {
+    if (!out_.empty() && files != 1) {
+      throw UsageError("--out takes a change of one file: this is one of " +
+                       report::counted(files, "file"));
+    }
+  }
+
   void emit(const EditRequest& request, const EditWorkspace& workspace,
             const author::ProvenChange& proven, const Sources& sources) const {
-    if (!out_.empty() && proven.files.size() != 1) {
-      throw UsageError("--out takes a change of one file: this is one of " +
-                       report::counted(proven.files.size(), "file"));
-    }
+    refuse_several(proven.files.size());
     for (const author::EditedFile& file : proven.files) {
       if (!out_.empty()) {
-        replace_file(out_, file.text);
+        write_moved(out_, file.path, file.text);
       } else if (write_) {
         replace_found(workspace.in_reach(request.files), file.path, file.text);
       } else {
@@ -345,7 +350,6 @@ class EditCommand final : public Command {
     for (const auto& [name, option] : given_) {
       if (option->count() > 0) throw UsageError("edit rename has no option " + name);
     }
-    if (!out_.empty()) throw UsageError("edit rename has no option --out");
     search_.config().open();
     const std::vector<std::string> files(words_.begin() + 2, words_.end());
     const EditWorkspace around = workspace_of(files);
@@ -369,13 +373,16 @@ class EditCommand final : public Command {
       throw InputError('\'' + words_[0] + "' is not renamed: " + renaming.refused);
     std::map<SourceId, std::vector<Edit>> by_source;
     for (const Edit& edit : renaming.edits) by_source[edit.span.source].push_back(edit);
+    refuse_several(by_source.size());
     for (const auto& [source, edits] : by_source) {
       const std::string path(sources.path(source));
-      if (!write_) {
+      const auto text = apply_edits(sources.bytes(source), edits);
+      if (!write_ && out_.empty())
         write({0, {}}, unified_diff(path, sources.bytes(source), edits));
-      } else if (const auto text = apply_edits(sources.bytes(source), edits)) {
+      else if (text && write_)
         replace_found(around.in_reach(files), path, *text);
-      }
+      else if (text)
+        write_moved(out_, path, *text);
     }
     if (by_source.size() > 1) {
       for (const auto& [source, edits] : by_source) {
@@ -386,7 +393,8 @@ class EditCommand final : public Command {
     for (const std::string& line : author::mention_lines(sources, renaming.suspected))
       say("rigor: " + report::printable(line) + "; not renamed");
     say("rigor: " + report::counted(renaming.edits.size(), "place") + " in " +
-        report::counted(by_source.size(), "file") + (write_ ? " renamed" : " would be renamed"));
+        report::counted(by_source.size(), "file") +
+        (write_ || !out_.empty() ? " renamed" : " would be renamed"));
     return kClean;
   }
 

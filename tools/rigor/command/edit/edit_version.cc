@@ -15,6 +15,7 @@
 
 #include "command/command.h"
 #include "output/atomic_file.h"
+#include "output/moved_file.h"
 #include "output/output.h"
 
 namespace rigor::tool {
@@ -60,7 +61,7 @@ bool change_version(const Environment& environment, const VersionRequest& reques
   }
   const bool writes = request.target != EditTarget::kDiff;
   if (request.target == EditTarget::kOut) {
-    replace_file(request.out, result.text);
+    write_moved(request.out, path, result.text);
   } else if (!result.edits.empty() && writes) {
     replace_found(request.files, path, result.text);
     if (result.config) replace_found(request.files, result.config->path, result.config->text);
