@@ -274,10 +274,8 @@ inline CorpusVerb split_verb() {
           .restored = restored};
 }
 
-/// Of small meshes, as a fit of a large one takes seconds in a build without optimization, and a minute with
-/// sanitizers.
-inline CorpusVerb simplify_verb() {
-  const std::uintmax_t most = test::parts() > 1 ? 30'000 : 150'000;
+/// Of robots with so many bytes of meshes at most, as a fit of a large one takes seconds, and a minute with sanitizers.
+inline CorpusVerb simplify_verb(std::uintmax_t most) {
   return {.name = "simplify",
           .change =
               [most](const EditedModel& edited) {
@@ -295,10 +293,10 @@ inline CorpusVerb simplify_verb() {
           .least = 30};
 }
 
-inline std::vector<CorpusVerb> corpus_verbs() {
+inline std::vector<CorpusVerb> corpus_verbs(std::uintmax_t most_mesh_bytes) {
   return {prefix_verb(),    scale_verb(),  reroot_verb(),     remove_verb(),
           extract_verb(),   mirror_verb(), move_frame_verb(), set_pose_verb(),
-          set_limit_verb(), lump_verb(),   split_verb(),      simplify_verb()};
+          set_limit_verb(), lump_verb(),   split_verb(),      simplify_verb(most_mesh_bytes)};
 }
 
 }  // namespace rigor::author

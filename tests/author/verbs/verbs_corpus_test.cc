@@ -97,7 +97,8 @@ TEST_P(VerbOnCorpus, HoldsAndIsTakenBack) {
   EXPECT_GE(tally.proven, test::part_of(verb.least));
 }
 
-INSTANTIATE_TEST_SUITE_P(Verbs, VerbOnCorpus, testing::ValuesIn(corpus_verbs()),
+INSTANTIATE_TEST_SUITE_P(Verbs, VerbOnCorpus,
+                         testing::ValuesIn(corpus_verbs(test::parts() > 1 ? 30'000 : 60'000)),
                          [](const auto& verb) { return verb.param.name; });
 
 /// Each model beside the one before it of the same version.

@@ -110,7 +110,7 @@ class VerbJudge {
   }
 
   RealDisk disk_;
-  std::vector<CorpusVerb> verbs_ = corpus_verbs();
+  std::vector<CorpusVerb> verbs_ = corpus_verbs(2'000'000);
   std::map<std::string, VerbCounts> counts_;
 };
 
