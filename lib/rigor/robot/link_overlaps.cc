@@ -49,8 +49,8 @@ model::JointPositions nearest_within_limits(const model::Root& root) {
 LinkOverlaps overlapping_links(const model::Root& root, const model::Frames& frames) {
   std::vector<PlacedCollision> placed = placed_collisions(root, frames);
   Linkage linkage(root, frames);
-  using Links = std::pair<model::Id<model::Link>, model::Id<model::Link>>;
-  std::map<model::Id<model::Model>, std::map<Links, LinkOverlap>> found;
+  using TwoLinks = std::pair<model::Id<model::Link>, model::Id<model::Link>>;
+  std::map<model::Id<model::Model>, std::map<TwoLinks, LinkOverlap>> found;
   for_near_pairs(
       placed,
       [&](const PlacedCollision& a, const PlacedCollision& b) {

@@ -14,8 +14,6 @@
 namespace rigor::convert {
 namespace {
 
-using robot::Axis;
-
 /// The share of the velocity limit at which a velocity actuator gives its full effort.
 constexpr double kFullEffortShare = 0.1;
 
@@ -34,13 +32,13 @@ double finite_or(double value, double otherwise) {
   return std::isfinite(value) ? value : otherwise;
 }
 
-MjcfElement motor(const Axis& axis) {
+MjcfElement motor(const robot::Axis& axis) {
   MjcfElement element{"motor"};
   if (std::isfinite(axis.effort)) set_limits(element, "ctrl", -axis.effort, axis.effort);
   return element;
 }
 
-MjcfElement position_actuator(const Axis& axis) {
+MjcfElement position_actuator(const robot::Axis& axis) {
   MjcfElement element{"position"};
   if (std::isfinite(axis.lower) && std::isfinite(axis.upper) && axis.lower < axis.upper) {
     set_limits(element, "ctrl", axis.lower, axis.upper);
@@ -50,7 +48,7 @@ MjcfElement position_actuator(const Axis& axis) {
   return element;
 }
 
-MjcfElement velocity_actuator(const Axis& axis) {
+MjcfElement velocity_actuator(const robot::Axis& axis) {
   MjcfElement element{"velocity"};
   const double velocity = finite_or(axis.velocity, kSupposedVelocity);
   if (std::isfinite(axis.velocity) && axis.velocity > 0) {
@@ -63,7 +61,8 @@ MjcfElement velocity_actuator(const Axis& axis) {
 }
 
 /// Why an axis has no actuator although it has an effort limit; empty where it has one.
-std::string_view undriven(const MjcfDraft& draft, const robot::Joint& joint, const Axis& axis) {
+std::string_view undriven(const MjcfDraft& draft, const robot::Joint& joint,
+                          const robot::Axis& axis) {
   if (axis.follow) return "follows another one";
   if (joint.closes_loop) return "closes a loop";
   if (length(axis.direction) == 0 || axis.lower == axis.upper) return "cannot move";
@@ -97,7 +96,7 @@ void add_mjcf_actuators(MjcfDraft& draft) {
     const robot::Joint& joint = robot.joints[i];
     if (joint.type == model::JointType::kBall) continue;
     for (std::size_t k = 0; k < joint.axes.size(); ++k) {
-      const Axis& axis = joint.axes[k];
+      const robot::Axis& axis = joint.axes[k];
       const bool limited = std::isfinite(axis.effort);
       if (const auto reason = undriven(draft, joint, axis); !reason.empty()) {
         if (limited) tell_effort(draft, joint, k, reason);

@@ -16,9 +16,8 @@ namespace rigor::convert {
 namespace {
 
 using model::JointType;
-using robot::Axis;
 
-MjcfElement moving_joint(const std::string& name, const Axis& axis, std::string_view type) {
+MjcfElement moving_joint(const std::string& name, const robot::Axis& axis, std::string_view type) {
   MjcfElement element{"joint"};
   element.set("name", name);
   if (type != "hinge") element.set("type", std::string(type));
@@ -27,7 +26,7 @@ MjcfElement moving_joint(const std::string& name, const Axis& axis, std::string_
   return element;
 }
 
-void set_range(MjcfElement& element, const Axis& axis) {
+void set_range(MjcfElement& element, const robot::Axis& axis) {
   if (!(axis.lower < axis.upper)) return;  // one that cannot move is held by an equality
   if (std::isinf(axis.lower) && std::isinf(axis.upper)) return;
   const double lower = std::isinf(axis.lower) ? -kMjcfUnlimited : axis.lower;
@@ -36,7 +35,7 @@ void set_range(MjcfElement& element, const Axis& axis) {
   element.set("range", mjcf_numbers({lower, upper}));
 }
 
-void set_dynamics(MjcfElement& element, const Axis& axis, double armature) {
+void set_dynamics(MjcfElement& element, const robot::Axis& axis, double armature) {
   if (axis.damping > 0) element.set("damping", mjcf_number(axis.damping));
   if (axis.friction > 0) element.set("frictionloss", mjcf_number(axis.friction));
   if (axis.spring_stiffness > 0) {
@@ -46,7 +45,7 @@ void set_dynamics(MjcfElement& element, const Axis& axis, double armature) {
   if (armature > 0) element.set("armature", mjcf_number(armature));
 }
 
-void tell_limits(MjcfDraft& draft, const robot::Joint& joint, const Axis& axis) {
+void tell_limits(MjcfDraft& draft, const robot::Joint& joint, const robot::Axis& axis) {
   if (axis.lower < axis.upper) return;
   const model::Joint* source = draft.entities.joint(joint.span);
   if (source == nullptr) return;
@@ -60,7 +59,7 @@ void tell_limits(MjcfDraft& draft, const robot::Joint& joint, const Axis& axis) 
 }
 
 /// An axis that is not written has no direction.
-void tell_axis(MjcfDraft& draft, const robot::Joint& joint, const Axis& axis) {
+void tell_axis(MjcfDraft& draft, const robot::Joint& joint, const robot::Axis& axis) {
   const model::Joint* source = draft.entities.joint(joint.span);
   if (source == nullptr || length(axis.direction) > 0) return;
   draft.ledger.note({.kind = NoteKind::kAxisZero,
@@ -160,15 +159,15 @@ std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t index) {
   if (joint.axes.empty()) tell_axis(draft, joint, {});
   std::vector<MjcfElement> elements;
   for (std::size_t k = 0; k < joint.axes.size() && k < names.size(); ++k) {
-    const Axis& axis = joint.axes[k];
+    const robot::Axis& axis = joint.axes[k];
     tell_axis(draft, joint, axis);
     tell_limits(draft, joint, axis);
     if (length(axis.direction) == 0) continue;
-    const bool slides = axis.motion == Axis::Motion::kSlide;
+    const bool slides = axis.motion == robot::Axis::Motion::kSlide;
     MjcfElement element = moving_joint(names[k], axis, slides ? "slide" : "hinge");
     set_range(element, axis);
     set_dynamics(element, axis, axis.follow ? 0 : draft.options.armature);
-    if (axis.motion == Axis::Motion::kScrew) {
+    if (axis.motion == robot::Axis::Motion::kScrew) {
       elements.push_back(moving_joint(names[k] + "_slide", axis, "slide"));
     }
     elements.push_back(std::move(element));
@@ -183,7 +182,7 @@ robot::Positions home_positions(const robot::Robot& robot,
     std::vector<double>& own = home.emplace_back();
     const auto named = given.find(joint.name);
     const double wanted = named == given.end() || joint.axes.size() != 1 ? 0 : named->second;
-    for (const Axis& axis : joint.axes) {
+    for (const robot::Axis& axis : joint.axes) {
       const bool bounded = axis.lower <= axis.upper;
       own.push_back(bounded ? std::clamp(wanted, axis.lower, axis.upper) : wanted);
     }

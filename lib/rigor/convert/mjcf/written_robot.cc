@@ -17,7 +17,6 @@ namespace {
 
 using model::JointType;
 using model::Pose;
-using robot::Axis;
 using robot::kNoIndex;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -164,7 +163,7 @@ class MjcfReader {
     if (thread == couplings_.end() || thread->second.leader != hinge.name) return;
     if (word_of(slide, "name") != hinge.name + "_slide") return;
     hinge.type = JointType::kScrew;
-    hinge.axes[0].motion = Axis::Motion::kScrew;
+    hinge.axes[0].motion = robot::Axis::Motion::kScrew;
     hinge.axes[0].slide = thread->second.slope;
   }
 
@@ -186,9 +185,9 @@ class MjcfReader {
     return robot_.joints.back();
   }
 
-  Axis read_axis(xml::Element element, const std::string& name) const {
-    Axis axis;
-    if (word_of(element, "type") == "slide") axis.motion = Axis::Motion::kSlide;
+  robot::Axis read_axis(xml::Element element, const std::string& name) const {
+    robot::Axis axis;
+    if (word_of(element, "type") == "slide") axis.motion = robot::Axis::Motion::kSlide;
     const auto d = numbers_of(element, "axis", {0, 0, 1});
     axis.direction = {d[0], d[1], d[2]};
     const double size = length(axis.direction);

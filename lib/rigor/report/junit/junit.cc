@@ -25,7 +25,7 @@ std::string junit_class(std::string path) {
   return path;
 }
 
-std::string finding_details(const Diagnostic& diagnostic, Places& places) {
+std::string junit_details(const Diagnostic& diagnostic, Places& places) {
   std::string text = concise_line(diagnostic, places) + '\n';
   if (!diagnostic.where.nowhere()) {
     std::vector<Mark> marks{{diagnostic.where, '^', {}}};
@@ -48,13 +48,13 @@ JunitCase finding_case(const Diagnostic& diagnostic, const std::string& path, bo
       .class_name = junit_class(path), .name = std::string(diagnostic.rule), .file = path};
   if (!diagnostic.where.nowhere()) one.line = places.begin(diagnostic.where).line;
   if (!fails) {
-    one.output = finding_details(diagnostic, places);
+    one.output = junit_details(diagnostic, places);
     return one;
   }
   one.outcome = keeps_from_reading(diagnostic) ? Outcome::kError : Outcome::kFailure;
   one.message = printable(diagnostic.message);
   one.type = to_string(diagnostic.severity);
-  one.details = finding_details(diagnostic, places);
+  one.details = junit_details(diagnostic, places);
   return one;
 }
 

@@ -18,7 +18,6 @@
 namespace rigor::convert {
 namespace {
 
-using model::Axis;
 using model::Field;
 using model::Id;
 using model::Vector3;
@@ -209,10 +208,10 @@ class UrdfAxisWriter {
   const model::Joint& joint_;
   std::size_t index_;
   UrdfJoint& target_;
-  Axis axis_ = default_axis();
+  model::Axis axis_ = default_axis();
 
-  static Axis default_axis() {
-    Axis axis;
+  static model::Axis default_axis() {
+    model::Axis axis;
     axis.xyz.value = {0, 0, 1};
     axis.lower.value = -robot::kUnlimited;
     axis.upper.value = axis.effort.value = axis.velocity.value = robot::kUnlimited;
