@@ -31,7 +31,7 @@ TEST(MovedText, EveryRelativeUriLeadsWhereItLed) {
       b.dae </uri></mesh></geometry>
     <material>
       <script><uri>materials/scripts</uri><uri>materials/textures</uri></script>
-      <pbr><metal><albedo_map>b.png</albedo_map></metal></pbr>
+      <pbr><metal><albedo_map>a&amp;b.png</albedo_map></metal></pbr>
     </material>
   </visual></link>
 </model></sdf>)",
@@ -43,7 +43,7 @@ TEST(MovedText, EveryRelativeUriLeadsWhereItLed) {
       ../b.dae </uri></mesh></geometry>
     <material>
       <script><uri>../materials/scripts</uri><uri>../materials/textures</uri></script>
-      <pbr><metal><albedo_map>../b.png</albedo_map></metal></pbr>
+      <pbr><metal><albedo_map>../a&amp;b.png</albedo_map></metal></pbr>
     </material>
   </visual></link>
 </model></sdf>)");

@@ -56,11 +56,13 @@ std::vector<Edit> moved_paths(const xml::Document& document, std::string_view pa
     const xml::Element element = document.element(i);
     const auto parent = element.parent();
     const Names names{parent ? parent->name() : std::string_view(), element.name()};
-    if (std::find(kTexts.begin(), kTexts.end(), names) != kTexts.end() && element.text_verbatim()) {
+    if (std::find(kTexts.begin(), kTexts.end(), names) != kTexts.end()) {
       const std::string_view value = read::trimmed(element.text());
       Span where = element.text_span();
-      where.begin += static_cast<std::uint32_t>(value.data() - element.text().data());
-      where.end = where.begin + static_cast<std::uint32_t>(value.size());
+      if (element.text_verbatim()) {
+        where.begin += static_cast<std::uint32_t>(value.data() - element.text().data());
+        where.end = where.begin + static_cast<std::uint32_t>(value.size());
+      }
       move(value, where);
     }
     for (const Names& each : kAttributes) {
