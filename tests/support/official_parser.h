@@ -10,6 +10,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <filesystem>
@@ -40,7 +41,8 @@ inline bool is_installed(const std::string& parser) {
 /// Of a file of that name with these bytes, in a folder of its own.
 inline bool accepts(const std::string& parser, const std::string& text, const std::string& name) {
   const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / ("rigor_" + parser + '_' + name);
+      std::filesystem::path(testing::TempDir()) /
+      ("rigor_" + parser + '_' + std::to_string(::getpid()) + '_' + name);
   std::filesystem::create_directories(folder);
   const std::string path = (folder / name).string();
   std::ofstream(path, std::ios::binary) << text;
