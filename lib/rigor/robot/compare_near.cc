@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <string>
 #include <string_view>
+
+#include <rigor/text/absolute_path.h>
 
 namespace rigor::robot {
 namespace {
@@ -93,11 +93,8 @@ bool near(const mass::Inertia& a, const mass::Inertia& b, const Tolerance& toler
 bool same_file(const Shape& a, const Shape& b) {
   if (a.submesh != b.submesh) return false;
   if (a.uri == b.uri) return true;  // beside its model, wherever that was copied to
-  // Both from the working folder, or one of them from the root.
-  const auto place = [](const std::string& path) {
-    return std::filesystem::absolute(path).lexically_normal();
-  };
-  if (!a.path.empty() && !b.path.empty()) return a.path == b.path || place(a.path) == place(b.path);
+  if (!a.path.empty() && !b.path.empty())
+    return a.path == b.path || absolute_path(a.path) == absolute_path(b.path);
   return uri_without_scheme(a.uri) == uri_without_scheme(b.uri) || leads_to(b.uri, a.path) ||
          leads_to(a.uri, b.path);
 }

@@ -3,18 +3,14 @@
 
 #include "output/moved_file.h"
 
-#include <filesystem>
-
 #include <rigor/author/verbs/moved_paths.h>
+#include <rigor/text/absolute_path.h>
 
 #include "output/atomic_file.h"
 
 namespace rigor::tool {
 void write_moved(const std::string& out, const std::string& path, const std::string& text) {
-  const auto absolute = [](const std::string& name) {
-    return std::filesystem::absolute(name).generic_string();
-  };
-  replace_file(out, author::moved_text(text, absolute(path), absolute(out)));
+  replace_file(out, author::moved_text(text, absolute_path(path), absolute_path(out)));
 }
 
 }  // namespace rigor::tool
