@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include <rigor/text/absolute_path.h>
+#include <rigor/process/absolute_path.h>
 
 namespace rigor::robot {
 namespace {
@@ -94,7 +94,7 @@ bool same_file(const Shape& a, const Shape& b) {
   if (a.submesh != b.submesh) return false;
   if (a.uri == b.uri) return true;  // beside its model, wherever that was copied to
   if (!a.path.empty() && !b.path.empty())
-    return a.path == b.path || absolute_path(a.path) == absolute_path(b.path);
+    return a.path == b.path || process::absolute_path(a.path) == process::absolute_path(b.path);
   return uri_without_scheme(a.uri) == uri_without_scheme(b.uri) || leads_to(b.uri, a.path) ||
          leads_to(a.uri, b.path);
 }

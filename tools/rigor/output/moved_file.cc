@@ -4,13 +4,14 @@
 #include "output/moved_file.h"
 
 #include <rigor/author/verbs/moved_paths.h>
-#include <rigor/text/absolute_path.h>
+#include <rigor/process/absolute_path.h>
 
 #include "output/atomic_file.h"
 
 namespace rigor::tool {
 void write_moved(const std::string& out, const std::string& path, const std::string& text) {
-  replace_file(out, author::moved_text(text, absolute_path(path), absolute_path(out)));
+  replace_file(out,
+               author::moved_text(text, process::absolute_path(path), process::absolute_path(out)));
 }
 
 }  // namespace rigor::tool

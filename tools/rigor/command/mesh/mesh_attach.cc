@@ -14,10 +14,10 @@
 #include <rigor/author/attach_mesh.h>
 #include <rigor/author/test_world.h>
 #include <rigor/mass/mesh/survey.h>
+#include <rigor/process/absolute_path.h>
 #include <rigor/read/load.h>
 #include <rigor/report/number.h>
 #include <rigor/report/terminal/printable.h>
-#include <rigor/text/absolute_path.h>
 #include <rigor/text/path.h>
 
 #include "command/command.h"
@@ -92,13 +92,13 @@ class Attachment {
     }
     const Environment& environment = checking.environment();
     const read::Reader reader{workspace_, environment.resolver, environment.sdf, environment.urdf};
-    loaded_ = load(reader, open_plain_model(workspace_, absolute_path(model)));
+    loaded_ = load(reader, open_plain_model(workspace_, process::absolute_path(model)));
   }
 
   /// How the mesh comes into the model; a UsageError when it can't.
   author::AttachedMesh with(const std::string& path, const mesh::Bounds& bounds) const {
     author::AttachedMesh done = author::attach_mesh(checking_.environment(), sources_, loaded_,
-                                                    name_, {absolute_path(path), bounds});
+                                                    name_, {process::absolute_path(path), bounds});
     refuse(done, name_);
     return done;
   }
@@ -114,7 +114,7 @@ class Attachment {
       put_file(folder, relative_path(folder, copy.to), copy.bytes);
       say("rigor: copied to " + report::printable(copy.to));
     }
-    replace_found({absolute_path(split_model(attach_).first)}, loaded_.file->path, *text);
+    replace_found({process::absolute_path(split_model(attach_).first)}, loaded_.file->path, *text);
     say("rigor: " + report::printable(done.subject) + " is now " + report::printable(done.uri) +
         ", in " + report::printable(loaded_.file->path));
     if (done.mismatch) say("rigor: warning: " + mismatch_text(done));
@@ -133,7 +133,7 @@ class Attachment {
     const std::string to(parent_path(done.copy->to));
     const std::string model(parent_path(to));
     for (const mesh::FileReference& named : named_by(facts.asset)) {
-      const std::string file = absolute_path(named.path);
+      const std::string file = process::absolute_path(named.path);
       const std::string copy =
           (std::filesystem::path(to) / std::filesystem::path(file).lexically_relative(from))
               .lexically_normal()
@@ -199,9 +199,9 @@ int write_test_world(const MeshCheckArguments& a, const MeshChecking& checking) 
   }
   // Where the world lies decides how it names the mesh.
   const std::string world = a.out.empty() ? "world.sdf" : a.out;
-  const auto from = std::filesystem::path(absolute_path(world)).parent_path();
+  const auto from = std::filesystem::path(process::absolute_path(world)).parent_path();
   const std::string uri =
-      std::filesystem::path(absolute_path(path)).lexically_relative(from).generic_string();
+      std::filesystem::path(process::absolute_path(path)).lexically_relative(from).generic_string();
   const std::string file(file_name(path));
   const std::string name = file.substr(0, file.size() - extension(file).size());
   const mass::MeshSurvey survey =

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-namespace rigor {
+namespace rigor::process {
 
 /// `path` from the root, normalized, as the working folder has it; the disk is not asked. Only normalized where the
 /// working folder is gone.
 std::string absolute_path(std::string_view path);
 
-}  // namespace rigor
+}  // namespace rigor::process

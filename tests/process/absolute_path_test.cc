@@ -1,13 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/text/absolute_path.h>
+#include <rigor/process/absolute_path.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-namespace rigor {
+namespace rigor::process {
 namespace {
 
 TEST(AbsolutePath, IsFromTheRootAndNormalized) {
@@ -17,4 +17,4 @@ TEST(AbsolutePath, IsFromTheRootAndNormalized) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::process
