@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include <rigor/process/absolute_path.h>
+#include <rigor/text/path.h>
 
 namespace rigor::robot {
 namespace {
@@ -93,8 +93,7 @@ bool near(const mass::Inertia& a, const mass::Inertia& b, const Tolerance& toler
 bool same_file(const Shape& a, const Shape& b) {
   if (a.submesh != b.submesh) return false;
   if (a.uri == b.uri) return true;  // beside its model, wherever that was copied to
-  if (!a.path.empty() && !b.path.empty())
-    return a.path == b.path || process::absolute_path(a.path) == process::absolute_path(b.path);
+  if (!a.path.empty() && !b.path.empty()) return normalize_path(a.path) == normalize_path(b.path);
   return uri_without_scheme(a.uri) == uri_without_scheme(b.uri) || leads_to(b.uri, a.path) ||
          leads_to(a.uri, b.path);
 }
