@@ -202,14 +202,14 @@ void append_piece(TriangleMesh& mesh, const Triangle& triangle, std::size_t of) 
 }
 
 void compact(TriangleMesh& mesh) {
-  constexpr std::uint32_t kUnused = 0xffffffffU;
+  constexpr std::uint32_t kUnnumbered = 0xffffffffU;
   const Weld welded = weld(mesh.positions);
-  std::vector<std::uint32_t> number(welded.places(), kUnused);
+  std::vector<std::uint32_t> number(welded.places(), kUnnumbered);
   std::vector<Vector3> positions;
   for (Triangle& t : mesh.triangles) {
     for (std::uint32_t& corner : t) {
       const std::uint32_t place = welded.place[corner];
-      if (number[place] == kUnused) {
+      if (number[place] == kUnnumbered) {
         number[place] = static_cast<std::uint32_t>(positions.size());
         positions.push_back(mesh.positions[welded.first[place]]);
       }
