@@ -219,6 +219,23 @@ TEST_F(MeshScene, APlyWhoseHeaderEndsWithinALineIsRefused) {
   EXPECT_TRUE(read("a.ply", with("\n ")).usable());
 }
 
+// assimp looks for the word for ever, as above.
+TEST_F(MeshScene, APlyWhoseHeaderEndsWithALongerWordIsRefused) {
+  const std::string good = kPly;
+  const std::string word = "end_header";
+  const auto with = [&](std::string_view after) {
+    return std::string(good).replace(good.find(word) + word.size(), 1, after);
+  };
+  for (const std::string_view after : {"x\n", "\v", "\x01", ""}) {
+    const LoadedMesh loaded = read("a.ply", with(after));
+    ASSERT_TRUE(has(loaded, FaultKind::kMalformed)) << after;
+    EXPECT_EQ(loaded.faults.front().detail, "the header has no end_header") << after;
+  }
+  for (const std::string_view after : {"\r\n", " \n", "\t\n"}) {
+    EXPECT_TRUE(read("a.ply", with(after)).usable()) << after;
+  }
+}
+
 TEST_F(MeshScene, Ply) {
   const LoadedMesh loaded = read("a.PLY", kPly);
   ASSERT_TRUE(loaded.usable());

@@ -72,13 +72,16 @@ LoadedMesh load_collada(const Disk& disk, const std::string& path, std::string_v
   return own.usable() ? std::move(own) : std::move(imported);
 }
 
-/// Whether a line of a PLY begins with the word that ends its header.
+/// Whether a line of a PLY begins with the word that ends its header, and with no longer one.
 bool ends_header(std::string_view bytes) {
   constexpr std::string_view kEnd = "end_header";
   for (std::size_t at = bytes.find(kEnd); at != std::string_view::npos;
        at = bytes.find(kEnd, at + kEnd.size())) {
     const std::size_t before = bytes.substr(0, at).find_last_not_of(" \t");
-    if (before != std::string_view::npos && (bytes[before] == '\n' || bytes[before] == '\r')) {
+    const std::string_view after = bytes.substr(at + kEnd.size());
+    if (before != std::string_view::npos && (bytes[before] == '\n' || bytes[before] == '\r') &&
+        (after.empty() ||
+         std::string_view(" \t\r\n\f\0", 6).find(after[0]) != std::string_view::npos)) {
       return true;
     }
   }
@@ -106,7 +109,8 @@ LoadedMesh import_scene(const Disk& disk, const std::string& path, std::string_v
                         const process::Workers& workers) {
   using End = process::RequestResult::End;
   std::string beside;
-  const process::RequestLimits limits = workers.limits_of(kImportKind, kImportLimits);
+  process::RequestLimits limits = workers.limits_of(kImportKind, kImportLimits);
+  limits.cpu_seconds += static_cast<unsigned>(bytes.size() / kBytesPerImportSecond);
   const process::RequestResult result =
       workers.call({.kind = kImportKind, .bytes = path, .limits = limits},
                    [&](std::string_view name) -> std::optional<std::string_view> {

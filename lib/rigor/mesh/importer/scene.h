@@ -31,9 +31,10 @@
 namespace rigor::mesh {
 
 /// What importing one file may take: a Collada file of a million triangles took 1.4 s and 0.8 GB, a damaged one of
-/// some kilobytes whatever it was given. `allow_imports` gives more.
-inline constexpr process::RequestLimits kImportLimits{.cpu_seconds = 20,
+/// some kilobytes whatever it was given. `allow_imports` gives more memory, and a large file has more time.
+inline constexpr process::RequestLimits kImportLimits{.cpu_seconds = 6,
                                                       .memory_bytes = std::uint64_t{1} << 30U};
+inline constexpr std::uint64_t kBytesPerImportSecond = 10'000'000;
 
 /// How much memory the import of one file may take from now on; before the first one.
 void allow_imports(process::Workers& workers, std::uint64_t bytes);
