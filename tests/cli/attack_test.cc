@@ -52,6 +52,40 @@ TEST(Attack, NamesOfMaterialsLeadNowhere) {
   EXPECT_NE(ran.out.find("out-x_.._.._.._.._NAME.obj"), std::string::npos) << ran.out;
 }
 
+/// Shapes, parts of meshes, links and models whose names lead up, through all that writes files for them.
+TEST(Attack, NamesOfShapesAndPartsLeadNowhere) {
+  const Folder folder;
+  folder.put("a/b/c/part.obj", std::string("o ../../../NAME\n") + kSolid);
+  folder.put("a/b/c/m.sdf",
+             "<sdf version='1.9'><model name='../../NAME'><link name='../../../NAME'><inertial/>"
+             "<collision name='../../../NAME'><geometry><polyline><point>0 0</point>"
+             "<point>1 0</point><point>0 1</point><height>1</height></polyline></geometry>"
+             "</collision><visual name='../../../NAME'><geometry><mesh><uri>part.obj</uri>"
+             "<submesh><name>../../../NAME</name></submesh></mesh></geometry></visual></link>"
+             "</model></sdf>\n");
+  folder.put("a/b/c/m.xml",
+             "<mujoco model='../../NAME'><asset><mesh name='../../../NAME' file='part.obj' "
+             "scale='2 2 2'/></asset><worldbody><body name='../../../NAME'><freejoint/>"
+             "<geom name='../../../NAME' type='mesh' mesh='../../../NAME'/></body></worldbody>"
+             "</mujoco>\n");
+  for (const char* to : {"1", "2", "3", "4"}) {
+    fs::create_directories(folder.path(std::string("a/b/c/") + to));
+  }
+  for (const char* command :
+       {"sdf2urdf a/b/c/m.sdf -o a/b/c/1/m.urdf", "sdf2mjcf a/b/c/m.sdf -o a/b/c/2/m.xml",
+        "mjcf2sdf a/b/c/m.xml -o a/b/c/3/m.sdf", "mjcf2urdf a/b/c/m.xml -o a/b/c/4/m.urdf"}) {
+    const Ran ran = folder.rigor(std::string(command) + " --allow-loss");
+    EXPECT_EQ(ran.exit, 0) << command << ran.err;
+  }
+  std::set<std::string> parts;
+  for (const std::string& file : all_files(folder)) {
+    EXPECT_TRUE(file.starts_with("a/b/c/")) << file;
+    if (file.find("NAME") != std::string::npos) parts.insert(file);
+  }
+  EXPECT_EQ(parts, (std::set<std::string>{"a/b/c/1/part-_._.._.._NAME.dae",
+                                          "a/b/c/2/assets/part-_._.._.._NAME.stl"}));
+}
+
 TEST(Attack, NothingIsWrittenThroughALink) {
   const Folder folder;
   folder.put("elsewhere", "mine");
@@ -172,7 +206,8 @@ class Secret : public ::testing::Test {
 };
 
 TEST_F(Secret, IsNamedAndNotQuoted) {
-  for (const char* format : {"pretty", "concise", "json", "sarif", "junit"}) {
+  for (const char* format :
+       {"pretty", "concise", "json", "sarif", "junit", "jsonl", "github", "gitlab"}) {
     tells_nothing(std::string("validate robot --format ") + format);
   }
   for (const char* file : {"bad", "bad_yaml", "good_yaml"}) {
@@ -189,6 +224,8 @@ TEST_F(Secret, IsNamedAndNotQuoted) {
   EXPECT_NE(named.out.find("secret/plain.xacro:1 lies outside"), std::string::npos) << named.out;
   tells_nothing("report robot --no-simulate --no-pictures -o page.html");
   EXPECT_EQ(folder_.get("page.html").find("HUNTER2"), std::string::npos);
+  tells_nothing("view robot/model.sdf -o view.html");
+  EXPECT_EQ(folder_.get("view.html").find("HUNTER2"), std::string::npos);
 }
 
 TEST_F(Secret, IsNotToldByAConfiguration) {
@@ -224,11 +261,59 @@ TEST_F(Secret, IsNotThereWithAConfinement) {
               "<sdf version='1.9'><model name='m'><include><uri>../secret/box.sdf</uri></include>"
               "<link name='l'/></model></sdf>\n");
   EXPECT_NE(folder_.rigor("inspect robot/model.sdf").out.find("HUNTER2"), std::string::npos);
-  tells_nothing("inspect --confine robot robot/model.sdf");
-  tells_nothing("validate --confine robot robot/model.sdf");
+  const auto is_not_there = [&](const std::string& folder, const std::string& file,
+                                const std::string& before) {
+    for (const char* command : {"inspect", "validate"}) {
+      const Ran ran =
+          folder_.rigor(std::string(command) + " --confine " + folder + " " + file, before);
+      EXPECT_EQ(ran.exit, 1) << command << ran.out << ran.err;
+      EXPECT_EQ((ran.out + ran.err).find("HUNTER2"), std::string::npos) << ran.out << ran.err;
+    }
+    const Ran validated = folder_.rigor("validate --confine " + folder + " " + file, before);
+    EXPECT_NE(validated.out.find("include-not-found"), std::string::npos) << validated.out;
+  };
+  is_not_there("robot", "robot/model.sdf", "");
+  // Neither a repository around it nor a configuration there is seen.
+  fs::create_directories(folder_.path(".git"));
+  is_not_there(".", "model.sdf", "cd robot &&");
+  folder_.put("rigor.toml", "extend = 'HUNTER2'\n");
+  is_not_there("robot", "robot/model.sdf", "");
   const Ran ran = folder_.rigor("validate --confine robot secret/box.sdf");
   EXPECT_EQ(ran.exit, 2) << ran.out;
   EXPECT_EQ(folder_.rigor("validate --confine nowhere robot").exit, 2);
+}
+
+/// What is read of models anywhere otherwise: meshes, and models that a template includes.
+TEST_F(Secret, OfMeshesAndTemplatesIsNotThereWithAConfinement) {
+  folder_.put("secret/mesh.obj", kSolid);
+  folder_.put("robot/mesh.sdf", model_with_mesh("../secret/mesh.obj"));
+  folder_.put("secret/links.xacro", template_of("<link name='HUNTER2'/>"));
+  folder_.put("robot/links.urdf.xacro",
+              template_of("<xacro:include filename='../secret/links.xacro'/><link name='l'/>"));
+  const std::string mesh = "mesh-check robot/mesh.sdf --format json";
+  EXPECT_NE(folder_.rigor(mesh).out.find("\"triangles\": 4"), std::string::npos);
+  EXPECT_EQ(folder_.rigor(mesh + " --confine robot").out.find("\"triangles\": 4"),
+            std::string::npos);
+  EXPECT_NE(folder_.rigor("expand robot/links.urdf.xacro").out.find("HUNTER2"), std::string::npos);
+  for (const char* file : {"links", "good_yaml"}) {
+    const std::string named = std::string(file) + ".urdf.xacro";
+    EXPECT_EQ(folder_.rigor("expand --confine robot robot/" + named).exit, 1) << file;
+    tells_nothing("expand --confine robot robot/" + named);
+    tells_nothing("validate --confine robot robot/" + named);
+  }
+}
+
+/// A link to what lies outside is named where it is in the way.
+TEST_F(Secret, ALinkOutOfAConfinementIsNoConfiguration) {
+  folder_.put("robot/model.sdf",
+              "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>\n");
+  fs::create_symlink("../secret/plain.toml", folder_.path("robot/rigor.toml"));
+  const Ran ran = folder_.rigor("validate --confine robot robot/model.sdf");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("robot/rigor.toml: lies outside of what --confine names"),
+            std::string::npos)
+      << ran.err;
+  EXPECT_EQ(ran.err.find("HUNTER2"), std::string::npos) << ran.err;
 }
 
 }  // namespace

@@ -56,7 +56,8 @@ TEST(FirstUse, AFolderWithOneModelIsThatModel) {
   for (const char* command :
        {"validate bot", "inspect bot", "inertia bot --material abs", "mesh-check bot",
         "sdf2urdf bot -o out.urdf", "urdf2sdf urdf -o out.sdf", "diff bot bot", "simulate bot",
-        "render bot -o out.png", "report bot -o out.html", "upgrade bot --to 1.10 --diff"}) {
+        "render bot -o out.png", "view bot -o view.html", "report bot -o out.html",
+        "upgrade bot --to 1.10 --diff"}) {
     const Ran ran = folder.rigor(command);
     EXPECT_NE(ran.exit, 2) << command << ": " << ran.err;
     EXPECT_EQ(ran.err.find("model.config"), std::string::npos) << command << ": " << ran.err;

@@ -149,6 +149,25 @@ TEST_F(ReportCli, TheVerdictOfASimulationDecidesToo) {
   EXPECT_EQ(folder_.rigor("report leaning.sdf --fail-on never" + quiet).exit, 0);
 }
 
+/// Models of files of one name are told apart by their folders, what has no collisions has nothing to fail,
+/// and details are folded.
+TEST_F(ReportCli, FilesOfOneNameAreToldApartAndDetailsAreFolded) {
+  folder_.put("named/left/model.sdf", crate("", kSound));
+  folder_.put("named/right/model.sdf", crate("", kSound));
+  folder_.put("named/camera.sdf",
+              "<sdf version='1.9'><model name='camera'><link name='l'><inertial><mass>1</mass>"
+              "</inertial><sensor name='c' type='camera'/></link></model></sdf>\n");
+  folder_.rigor("report named --no-pictures -o report.html");
+  const std::string page = folder_.get("report.html");
+  for (const char* name : {"left/model.sdf", "right/model.sdf"}) {
+    EXPECT_NE(page.find(">" + std::string(name) + "<"), page.npos) << name;
+  }
+  EXPECT_EQ(row(page, "camera.sdf").find(">fail<"), page.npos);
+  EXPECT_NE(page.find("has no collisions"), page.npos);
+  EXPECT_NE(page.find("<details"), page.npos);
+  EXPECT_EQ(page.find("<details open"), page.npos);
+}
+
 TEST_F(ReportCli, ABudgetIsADemand) {
   folder_.put("mesh.sdf",
               "<sdf version='1.9'><model name='m'><static>true</static><link name='l'><visual "

@@ -278,6 +278,58 @@ TEST_F(SimulateCli, ASweepTellsWhatTheJointNeeds) {
   }
 }
 
+/// Verdicts stand beside names of any length.
+TEST_F(SimulateCli, ATableHasSpacesBetweenItsColumns) {
+  const Ran ran = simulate("slide.sdf --test joint-sweep,settle");
+  EXPECT_NE(ran.out.find("  joint-sweep "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("  settle      "), std::string::npos) << ran.out;
+}
+
+/// 20 s unless another is given, which is a number.
+TEST_F(SimulateCli, ABudgetIsANumberOfSeconds) {
+  EXPECT_NE(folder_.rigor("simulate --help").out.find("CPU time for each model, s (20)"),
+            std::string::npos);
+  EXPECT_EQ(simulate("crate.sdf --budget 0").exit, 0);
+  for (const char* wrong : {"much", "-1", "nan"}) {
+    const Ran ran = simulate(std::string("crate.sdf --budget ") + wrong);
+    EXPECT_EQ(ran.exit, 2) << wrong;
+    EXPECT_NE(ran.err.find("--budget"), std::string::npos) << ran.err;
+  }
+}
+
+/// A crate with 36 times the inertia of its shape.
+std::string heavy_crate(const std::string& mass, const std::string& size,
+                        const std::string& inertia, const std::string& height) {
+  return "<model name='crate'><link name='body'><pose>0 0 " + height +
+         " 0 0 0</pose><inertial><mass>" + mass + "</mass><inertia><ixx>" + inertia +
+         "</ixx><iyy>" + inertia + "</iyy><izz>" + inertia +
+         "</izz></inertia></inertial><collision name='c'><geometry><box><size>" + size + " " +
+         size + " " + size + "</size></box></geometry></collision></link></model>";
+}
+
+/// Advice is what the command that it names would do.
+TEST_F(SimulateCli, AdviceOfAnInertiaIsTriedBeforeItIsGiven) {
+  constexpr const char* kWrite = "rigor inertia MODEL --write";
+  // 5 kg·m² of its shape: 30 · 1² / 6.
+  folder_.put("wrong.sdf", "<sdf version='1.9'>" + heavy_crate("30", "1", "180", "0.5") + "</sdf>");
+  EXPECT_NE(simulate("wrong.sdf").out.find(kWrite), std::string::npos);
+  EXPECT_NE(folder_.rigor("inertia wrong.sdf --diff").out.find("<ixx>5</ixx>"), std::string::npos);
+  // A tonne in a cube of 0.1 m: the shape is a stand-in, and no inertia is taken from it.
+  folder_.put("crude.sdf",
+              "<sdf version='1.9'>" + heavy_crate("1000", "0.1", "60", "0.05") + "</sdf>");
+  const Ran crude = simulate("crude.sdf");
+  EXPECT_NE(crude.out.find("36 times the inertia of its shape"), std::string::npos) << crude.out;
+  EXPECT_EQ(crude.out.find(kWrite), std::string::npos) << crude.out;
+  EXPECT_NE(crude.out.find("from its CAD model"), std::string::npos) << crude.out;
+  EXPECT_EQ(folder_.rigor("inertia crude.sdf --diff").out, "");
+  // Of a template the model is not what is edited.
+  folder_.put("wrong.sdf.xacro", "<sdf version='1.9' xmlns:xacro='http://www.ros.org/wiki/xacro'>" +
+                                     heavy_crate("30", "1", "180", "0.5") + "</sdf>");
+  const Ran expanded = simulate("wrong.sdf.xacro");
+  EXPECT_EQ(expanded.out.find(kWrite), std::string::npos) << expanded.out;
+  EXPECT_NE(expanded.out.find("in the template"), std::string::npos) << expanded.out;
+}
+
 TEST_F(SimulateCli, AWrongInvocationIsTold) {
   const auto usage = [this](const std::string& arguments, const std::string& says) {
     const Ran ran = simulate(arguments);

@@ -484,6 +484,15 @@ TEST(UrdfToSdf, RefusesWhatIsNoTree) {
   EXPECT_EQ(refused(""), std::vector{NoteKind::kNoModel});
 }
 
+TEST(UrdfToSdf, AJointStandsAfterTheLinksThatItNames) {
+  const std::string text = sdf_text_of(
+      "<robot name='r'><joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>" +
+      link_xml("b") + link_xml("a") + "</robot>");
+  ASSERT_NE(text.find("<joint name=\"j\""), std::string::npos) << text;
+  EXPECT_GT(text.find("<joint name=\"j\""), text.find("<link name=\"a\""));
+  EXPECT_GT(text.find("<joint name=\"j\""), text.find("<link name=\"b\""));
+}
+
 TEST(UrdfToSdf, TurnsUrisAsAsked) {
   const std::string urdf = robot_xml(
       link_xml("a", inertial_xml("1") + "<visual><geometry><mesh filename='package://p/m/a.dae'/>"

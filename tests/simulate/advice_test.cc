@@ -243,6 +243,20 @@ TEST(Advice, ATowerIsTopHeavy) {
   EXPECT_EQ(of_kind(causes_of(scene), FactKind::kCauseNoCollision).size(), 1U);
 }
 
+/// The same tower with an arm at its top is bolted to something: nobody lowers its center of mass.
+TEST(Advice, WhatIsBoltedIsNotTopHeavy) {
+  Scene scene = hand::scene();
+  hand::add_body(scene, hand::box_mass(10, {0.2, 0.2, 2}), {0, 0, 1});
+  hand::add_shape(scene, 0, mesh::Box{{0.2, 0.2, 2}});
+  EXPECT_EQ(of_kind(causes_of(scene), FactKind::kCauseTopHeavy).size(), 1U);
+  hand::add_body(scene, hand::ball_mass(1, 0.05), {0, 0, 2.2});
+  hand::add_shape(scene, 1, mesh::Sphere{0.05});
+  hand::add_joint(scene, model::JointType::kRevolute, 0, 1, {0, 0, 2}, {{0, 1, 0}});
+  scene.joints.back().axes[0].lower = -1;
+  scene.joints.back().axes[0].upper = 1;
+  EXPECT_TRUE(of_kind(causes_of(scene), FactKind::kCauseTopHeavy).empty());
+}
+
 /// A tower without its foot's mesh may stand well: that it lacks it is all that is said.
 TEST(Advice, MissingMeshesComeBeforeAllElse) {
   Scene scene = tutorial_robot();

@@ -142,6 +142,19 @@ TEST(Tests, ATricycleDoesNotTurnByItsSidesSpeeds) {
   }));
 }
 
+/// A wheel on one side alone steers nothing. The other has limits, as no wheel has, which is said.
+TEST(Tests, OfWheelsOnOneSideTheReasonIsTold) {
+  Scene scene = tutorial_robot();
+  scene.joints[1].name = "right_joint";
+  scene.joints[1].axes[0].lower = -1;
+  scene.joints[1].axes[0].upper = 1;
+  const MadeTest limited = make_test("turn", scene, find_wheels(scene, {}));
+  EXPECT_FALSE(limited.scenario);
+  EXPECT_NE(limited.why_not.find("on one side"), std::string::npos) << limited.why_not;
+  EXPECT_NE(limited.why_not.find("joint 'right_joint' has limits"), std::string::npos)
+      << limited.why_not;
+}
+
 TEST(Tests, PushHasAFifthOfTheMomentumOfAFallAtTheCenterOfMass) {
   const Scene scene = tutorial_robot();
   const Scenario push = made_test("push", scene);

@@ -42,9 +42,11 @@ const Config& Configs::in_folder(std::string folder) const {
     passed.push_back(folder);
     const std::string candidate = join_path(folder, kConfigName);
     const PathKind kind = disk_.kind(candidate);
-    // A link that does not exist was meant as one; reading it says what is wrong.
+    // A link that does not exist was meant as one; reading it says what is wrong. A folder that is not
+    // there, as those above a confinement, has none.
     if (kind == PathKind::kFile ||
-        (kind == PathKind::kMissing && !disk_.obstacle(candidate).empty())) {
+        (kind == PathKind::kMissing && !disk_.obstacle(candidate).empty() &&
+         disk_.kind(folder) == PathKind::kFolder)) {
       found = &at(candidate);
       break;
     }
