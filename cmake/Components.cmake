@@ -40,8 +40,13 @@ rigor_component(ODE "rigor simulate" libode-dev ODE_FOUND)
 find_path(RIGOR_MUJOCO_INCLUDE mujoco/mujoco.h)
 rigor_component(MUJOCO "rigor simulate --engine mujoco" libmujoco-dev RIGOR_MUJOCO_INCLUDE)
 
-# Opened when an image is traced, and linked to nothing.
-find_path(RIGOR_EMBREE_INCLUDE embree3/rtcore.h)
+# Opened when an image is traced, and linked to nothing. Version 4 before 3.
+find_path(RIGOR_EMBREE_INCLUDE NAMES embree4/rtcore.h embree3/rtcore.h)
+if(EXISTS "${RIGOR_EMBREE_INCLUDE}/embree4/rtcore.h")
+  set(rigor_embree_package libembree4-4)
+else()
+  set(rigor_embree_package libembree3-3)
+endif()
 rigor_component(EMBREE "rigor render, and images in reports" libembree-dev RIGOR_EMBREE_INCLUDE)
 
 find_package(urdfdom_headers QUIET)

@@ -53,7 +53,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Opened when a Collada, glTF or PLY mesh is first read, so that no dependency shows.
 string(REPLACE ".so." "" rigor_assimp_package "${RIGOR_ASSIMP_SONAME}")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${rigor_assimp_package}, ${rigor_embree_package}")
 # Opened by `simulate --engine mujoco`.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libmujoco2.2.2)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
@@ -72,7 +72,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "rigor (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
 libsqlite3-dev, libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, libxxhash-dev, libyaml-cpp-dev, zlib1g-dev")
-set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, ${rigor_embree_package}")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a
 simulator loads it.

@@ -77,7 +77,7 @@ const std::map<std::string, Names>& third_parties() {
       {"console_bridge/", {"convert"}},
       {"ode/", {"simulate", "tools"}},
       {"mujoco/", {"simulate", "tools"}},
-      {"embree3/", {"view"}},
+      {"embree", {"view"}},
       {"png.h", {"view", "mesh"}},
       {"turbojpeg.h", {"view"}},
       {"xxhash.h", {"text"}},

@@ -4,9 +4,13 @@
 // What models and repositories that nobody trusts try: to write outside of what was given, and to have what lies
 // outside told to whoever reads the report.
 
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
+
+#include <sys/wait.h>
 
 #include <gtest/gtest.h>
 
@@ -301,6 +305,42 @@ TEST_F(Secret, OfMeshesAndTemplatesIsNotThereWithAConfinement) {
     tells_nothing("expand --confine robot robot/" + named);
     tells_nothing("validate --confine robot robot/" + named);
   }
+}
+
+/// What runs in pull requests, and before commits, is confined to the repository where nothing else is asked for.
+TEST_F(Secret, IsNotThereInAPullRequest) {
+  folder_.put("secret/box.sdf",
+              "<sdf version='1.9'><model name='b'><link name='l'/></model></sdf>\n");
+  folder_.put("robot/model.sdf",
+              "<sdf version='1.9'><model name='m'><include><uri>../secret/box.sdf</uri></include>"
+              "<link name='l'/></model></sdf>\n");
+  fs::create_directories(folder_.path("robot/.git"));
+  const auto found = [&](const std::string& command) {
+    const int status = std::system(("cd '" + folder_.path("robot") + "' && PATH='" +
+                                    fs::path(RIGOR_BINARY).parent_path().string() + "':\"$PATH\" " +
+                                    command + " >../said 2>&1")
+                                       .c_str());
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) < 2) << command << folder_.get("said");
+    return folder_.get("said").find("is not found") == std::string::npos;
+  };
+  const std::string action =
+      "RIGOR_PATHS=model.sdf RIGOR_FAIL_ON=error RIGOR_SARIF= GITHUB_OUTPUT=/dev/null bash "
+      "'" RIGOR_SOURCE_DIR "/packaging/action/run.sh'";
+  EXPECT_TRUE(found("GITHUB_EVENT_NAME=push RIGOR_ARGUMENTS= " + action));
+  EXPECT_FALSE(found("GITHUB_EVENT_NAME=pull_request RIGOR_ARGUMENTS= " + action));
+  EXPECT_FALSE(found("GITHUB_EVENT_NAME=pull_request_target RIGOR_ARGUMENTS= " + action));
+  EXPECT_TRUE(found("GITHUB_EVENT_NAME=pull_request RIGOR_ARGUMENTS=--confine=.. " + action));
+
+  std::ifstream hooks(RIGOR_SOURCE_DIR "/.pre-commit-hooks.yaml");
+  std::size_t validating = 0;
+  std::size_t confined = 0;
+  for (std::string line; std::getline(hooks, line);) {
+    if (line.starts_with("  entry: rigor validate")) ++validating;
+    if (line == "  args: [--confine=.]") ++confined;
+  }
+  EXPECT_GE(validating, 3U);
+  EXPECT_EQ(confined, validating);
+  EXPECT_FALSE(found("rigor validate --confine=. model.sdf"));
 }
 
 /// A link to what lies outside is named where it is in the way.

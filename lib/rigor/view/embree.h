@@ -3,7 +3,8 @@
 //
 // Embree, which finds what a ray meets, opened when a picture is traced. It is
 // linked to nothing, so only its headers are needed to build, and no other
-// command pays for loading it.
+// command pays for loading it. Version 4 is taken where its headers are installed,
+// else 3; what differs between them is here.
 //
 //   const Embree embree = open_embree();
 //   if (!embree.problem.empty()) return embree.problem;
@@ -11,11 +12,38 @@
 
 #pragma once
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <string>
 
 namespace rigor::view {
+
+#if RTC_VERSION_MAJOR >= 4
+inline constexpr RTCSceneFlags kQueriesFilter = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+#else
+/// Of a scene whose rays have a filter.
+inline constexpr RTCSceneFlags kQueriesFilter = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+#endif
+
+/// How a ray is traced, beside others that go nearly its way. A filter is handed its address as `met->context`,
+/// so that a struct which begins with it can hold more.
+class RayQuery {
+ public:
+  explicit RayQuery(RTCFilterFunctionN filter = nullptr);
+
+ private:
+  friend struct Embree;
+#if RTC_VERSION_MAJOR >= 4
+  RTCRayQueryContext context_;  // first
+  RTCFilterFunctionN filter_;
+#else
+  RTCIntersectContext context_;
+#endif
+};
 
 struct Embree {
   decltype(&rtcNewDevice) new_device = nullptr;
@@ -34,9 +62,14 @@ struct Embree {
   decltype(&rtcSetNewGeometryBuffer) new_buffer = nullptr;
   decltype(&rtcSetGeometryInstancedScene) set_instanced_scene = nullptr;
   decltype(&rtcSetGeometryTransform) set_transform = nullptr;
-  decltype(&rtcIntersect1) intersect = nullptr;
-  decltype(&rtcOccluded1) occluded = nullptr;
+  decltype(&rtcIntersect1) intersect1 = nullptr;
+  decltype(&rtcOccluded1) occluded1 = nullptr;
   std::string problem;  ///< why there is none
+
+  /// The first that the ray meets, into its hit.
+  void intersect(RTCScene scene, RayQuery& query, RTCRayHit& ray) const;
+  /// Whether it meets anything: then its `tfar` is negative.
+  void occluded(RTCScene scene, RayQuery& query, RTCRay& ray) const;
 };
 
 /// The library stays open until the program ends: its threads do not like to be

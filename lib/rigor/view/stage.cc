@@ -76,16 +76,7 @@ model::Vector3 between_corners(const std::array<std::array<T, 3>, 3>& corners, d
   return {mean(0), mean(1), mean(2)};
 }
 
-RTCIntersectContext coherent_rays() {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  return context;
-}
-
-RTCSceneFlags filtered_scene() {
-  return RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
-}
+RTCSceneFlags filtered_scene() { return RTC_SCENE_FLAG_ROBUST | kQueriesFilter; }
 
 RTCRay embree_ray(const Ray& ray, double from, double to) {
   RTCRay result = {};
@@ -270,13 +261,13 @@ double Stage::ground_left(const model::Vector3& point) const {
   return s * s * (3 - 2 * s);
 }
 
-std::optional<Hit> Stage::first(RTCScene scene, RTCIntersectContext& context, const Ray& ray,
-                                double from, double to) const {
+std::optional<Hit> Stage::first(RTCScene scene, RayQuery& query, const Ray& ray, double from,
+                                double to) const {
   RTCRayHit found = {};
   found.ray = embree_ray(ray, from, to);
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  embree_.intersect(scene, &context, &found);
+  embree_.intersect(scene, query, found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   Hit hit{found.ray.tfar, found.hit.instID[0], found.hit.primID, found.hit.u, found.hit.v};
   // Embree's is in the mesh's axes.
@@ -294,9 +285,9 @@ model::Vector3 Stage::outward(std::uint32_t body, std::uint32_t triangle) const 
       {});
 }
 
-/// Embree hands it to the filter, as the context that it begins with.
+/// Embree hands it to the filter, as the query that it begins with.
 struct Stage::OtherSide {
-  RTCIntersectContext embree;
+  RayQuery query;
   const Stage* stage;
   model::Vector3 back;
 
@@ -312,7 +303,7 @@ struct Stage::OtherSide {
 /// Of surfaces in one place that face the same way, the first of the drawing: which of them Embree meets first is
 /// chance, another one in each pixel.
 struct Stage::FirstDrawn {
-  RTCIntersectContext embree;
+  RayQuery query;
   const Stage* stage;
   model::Vector3 facing;
   Hit best;
@@ -332,9 +323,8 @@ struct Stage::FirstDrawn {
 
 Hit Stage::first_drawn(RTCScene scene, const Ray& ray, const Hit& hit) const {
   if (!may_coincide_) return hit;
-  FirstDrawn first{coherent_rays(), this, outward(hit.body, hit.triangle), hit};
-  first.embree.filter = FirstDrawn::keep;
-  this->first(scene, first.embree, ray, hit.t * (1 - kInOnePlace), hit.t * (1 + kInOnePlace));
+  FirstDrawn first{RayQuery(FirstDrawn::keep), this, outward(hit.body, hit.triangle), hit};
+  this->first(scene, first.query, ray, hit.t * (1 - kInOnePlace), hit.t * (1 + kInOnePlace));
   return first.best;
 }
 
@@ -346,13 +336,12 @@ std::optional<Hit> Stage::first_front(RTCScene scene, const Ray& ray, double fro
 
 std::optional<Hit> Stage::nearest_front(RTCScene scene, const Ray& ray, double from,
                                         double to) const {
-  RTCIntersectContext plain = coherent_rays();
+  RayQuery plain;
   const std::optional<Hit> hit = first(scene, plain, ray, from, to);
   if (!hit || !hit->back) return hit;
-  OtherSide other{coherent_rays(), this, outward(hit->body, hit->triangle)};
-  other.embree.filter = OtherSide::refuse_others;
+  OtherSide other{RayQuery(OtherSide::refuse_others), this, outward(hit->body, hit->triangle)};
   const std::optional<Hit> front =
-      first(scene, other.embree, ray, std::max(from, hit->t * (1 - kInOnePlace)),
+      first(scene, other.query, ray, std::max(from, hit->t * (1 - kInOnePlace)),
             std::min(to, hit->t * (1 + kInOnePlace)));
   return front ? front : hit;
 }
@@ -366,9 +355,9 @@ std::optional<Hit> Stage::first_glass(const Ray& ray, double from, double to) co
 }
 
 bool Stage::reaches_lamp(const model::Vector3& point) const {
-  RTCIntersectContext context = coherent_rays();
+  RayQuery query;
   RTCRay ray = embree_ray({point, kTowardsLamp}, kLift * size_, INFINITY);
-  embree_.occluded(solid_, &context, &ray);
+  embree_.occluded(solid_, query, ray);
   return ray.tfar >= 0;
 }
 

@@ -14,8 +14,6 @@
 
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <array>
 #include <map>
 #include <memory>
@@ -114,8 +112,8 @@ class Stage {
             RTCGeometry geometry) const;
   std::vector<Look> looks_of(const Body& body, bool& glass) const;
   void measure_ground(const Drawing& drawing);
-  std::optional<Hit> first(RTCScene scene, RTCIntersectContext& context, const Ray& ray,
-                           double from, double to) const;
+  std::optional<Hit> first(RTCScene scene, RayQuery& query, const Ray& ray, double from,
+                           double to) const;
   std::optional<Hit> first_front(RTCScene scene, const Ray& ray, double from, double to) const;
   std::optional<Hit> nearest_front(RTCScene scene, const Ray& ray, double from, double to) const;
   Hit first_drawn(RTCScene scene, const Ray& ray, const Hit& hit) const;

@@ -32,7 +32,7 @@ struct TraceOptions {
 struct Traced {
   std::optional<Picture> picture;
   std::string
-      problem;  ///< why there is none: "libembree3.so.3 is not installed (apt install libembree3-3)"
+      problem;  ///< why there is none: "libembree4.so.4 is not installed (apt install libembree4-4)"
 };
 
 Traced trace(const Drawing& drawing, const Camera& camera, const TraceOptions& options);
