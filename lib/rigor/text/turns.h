@@ -52,7 +52,7 @@ class Turns {
       give_back();
       { const std::lock_guard other_is_done(mutex); }
       take();
-      lock.try_lock();
+      lock = std::unique_lock(mutex, std::try_to_lock);
     }
     return lock;
   }
