@@ -51,11 +51,15 @@ class Folder {
 
   /// `rigor ARGUMENTS` in the folder, by the shell; `before` sets variables or feeds a pipe.
   Ran rigor(const std::string& arguments, const std::string& before = "") const {
+    return run(before + " '" RIGOR_BINARY "' " + arguments);
+  }
+
+  /// Any command in the folder, by the shell.
+  Ran run(const std::string& command) const {
     const Folder results;
-    const std::string command = "cd '" + path_ + "' && " + before + " '" RIGOR_BINARY "' " +
-                                arguments + " >'" + results.path("out") + "' 2>'" +
-                                results.path("err") + "'";
-    const int status = std::system(command.c_str());
+    const std::string whole = "cd '" + path_ + "' && " + command + " >'" + results.path("out") +
+                              "' 2>'" + results.path("err") + "'";
+    const int status = std::system(whole.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, results.get("out"), results.get("err")};
   }
 

@@ -22,10 +22,10 @@
 
 namespace rigor::view {
 
+/// Of a scene whose rays have a filter.
 #if RTC_VERSION_MAJOR >= 4
 inline constexpr RTCSceneFlags kQueriesFilter = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 #else
-/// Of a scene whose rays have a filter.
 inline constexpr RTCSceneFlags kQueriesFilter = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 #endif
 
