@@ -52,6 +52,15 @@ TEST(Mount, WhatCannotStandHangsAndWhatStandsIsFree) {
   EXPECT_EQ(choose_mount("joint-sweep", lamp(kOtherSide), none).base, Base::kHang);
 }
 
+/// A plate 8 mm above the ground keeps nothing up until it has rocked onto it.
+TEST(Mount, ARigidBaseStandsOnWhatTouchesTheGround) {
+  Scene rocking = lamp(kSameSide);
+  hand::add_shape(rocking, 0, mesh::Box{{1.6, 1.6, 0.01}}, {{0, 0, -0.087}, {}});
+  EXPECT_EQ(choose_mount("settle", rocking, {}).base, Base::kHang);
+  rocking.shapes.back().X_BS.translation.z = -0.095;
+  EXPECT_EQ(choose_mount("settle", rocking, {}).base, Base::kFree);
+}
+
 TEST(Mount, WheelsWorldsAndWhatNoJointMovesStandByThemselves) {
   const Scene robot = hand::tutorial_robot();
   EXPECT_EQ(choose_mount("joint-sweep", robot, find_wheels(robot, {})).base, Base::kFree);

@@ -102,6 +102,101 @@ TEST(Simulate, WhatTookTooLongHasNoVote) {
   EXPECT_EQ(next_of({agains[0], agains[1]}, failed_run()), Next::kVariant);
 }
 
+simulate::Run restless_run() {
+  simulate::Run run{.test = "t"};
+  run.metrics = {make_metric("rest.residual_v", 0.01, {}), make_metric("tilt.max", 0.2, {})};
+  return run;
+}
+
+Again exact_at_rest() {
+  Again again;
+  again.variant.other = Variant::Other::kSolver;
+  again.variant.settings.solver = Solver::kDantzig;
+  again.metrics = {make_metric("rest.residual_v", 0.0001, {}), make_metric("tilt.max", 0, {})};
+  return again;
+}
+
+TEST(Simulate, AWarningOfRestThatTheExactSolverLacksPasses) {
+  simulate::Run run = restless_run();
+  confirm({exact_at_rest()}, run);
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kPass);
+  EXPECT_EQ(run.metrics[0].value, 0.0001);
+  EXPECT_FALSE(run.metrics[0].fact);
+  // Solvers agree on where a robot goes.
+  EXPECT_EQ(run.metrics[1].verdict, Verdict::kWarn);
+  ASSERT_EQ(run.confirmations.size(), 1U);
+  EXPECT_EQ(run.confirmations[0].lacking, std::vector<std::string_view>{"rest.residual_v"});
+}
+
+TEST(Simulate, AWarningStaysWhereTheExactSolverHasItOrNothingToSay) {
+  const auto verdict_after = [](const Again& again) {
+    simulate::Run run = restless_run();
+    confirm({again}, run);
+    return run.metrics[0].verdict;
+  };
+  Again same = exact_at_rest();
+  same.metrics[0] = make_metric("rest.residual_v", 0.006, {});
+  EXPECT_EQ(verdict_after(same), Verdict::kWarn);
+  Again late = exact_at_rest();
+  late.record.end = Record::End::kOutOfTime;
+  EXPECT_EQ(verdict_after(late), Verdict::kWarn);
+  Again finer = exact_at_rest();
+  finer.variant.other = Variant::Other::kStep;
+  finer.variant.settings.solver = Solver::kQuick;
+  EXPECT_EQ(verdict_after(finer), Verdict::kWarn);
+}
+
+/// Half the step shows what the iterative solver shows.
+TEST(Simulate, AFailureOfRestThatTheExactSolverLacksIsTheSolvers) {
+  simulate::Run run{.test = "t"};
+  run.metrics = {make_metric("rest.residual_v", 0.1, {})};
+  Again half;
+  half.variant.other = Variant::Other::kStep;
+  half.metrics = {make_metric("rest.residual_v", 0.05, {})};
+  EXPECT_EQ(next_of({exact_at_rest()}, run), Next::kNone);
+  confirm({exact_at_rest(), half}, run);
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kSolver);
+}
+
+TEST(Simulate, OfAWarningTheExactSolverAloneIsAsked) {
+  SolverSettings settings;
+  EXPECT_TRUE(has_doubtful_warning(restless_run(), settings));
+  EXPECT_EQ(next_of({}, restless_run()), Next::kVariant);
+  EXPECT_EQ(next_of({exact_at_rest()}, restless_run()), Next::kNone);
+  settings.solver = Solver::kDantzig;
+  EXPECT_FALSE(has_doubtful_warning(restless_run(), settings));
+  settings.solver = Solver::kQuick;
+  settings.engine = EngineKind::kMujoco;
+  EXPECT_FALSE(has_doubtful_warning(restless_run(), settings));
+}
+
+/// Eight balls on an arm of 1.6 m that motors hold: 200 iterations let it swing.
+Scene long_arm() {
+  Scene scene = hand::scene();
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const double x = 0.2 * (i + 1);
+    hand::add_body(scene, hand::ball_mass(0.1, 0.05), {x, 0, 1});
+    hand::add_joint(scene, model::JointType::kRevolute, i == 0 ? kWorld : i - 1, i, {x - 0.2, 0, 1},
+                    {{0, 1, 0}});
+  }
+  return scene;
+}
+
+TEST(Simulate, AnArmThatTheIterativeSolverLetsSwingIsNoFailure) {
+  const Scene scene = long_arm();
+  const DriveTrain wheels;
+  const Facts causes;
+  const Task task{
+      scene, causes, {*make_test("settle", scene, wheels).scenario}, wheels, scene.solver};
+  SimulateOptions unconfirmed;
+  unconfirmed.confirm = Confirm::kNo;
+  EXPECT_NE(simulate::simulate({task}, unconfirmed, test::workers())[0].verdict, Verdict::kPass);
+  const Simulation result = simulate::simulate({task}, {}, test::workers())[0];
+  EXPECT_EQ(result.verdict, Verdict::kSolver);
+  ASSERT_EQ(result.runs[0].confirmations.size(), 1U);
+  EXPECT_EQ(result.runs[0].confirmations[0].what, "dantzig");
+}
+
 Scene box_in_the_ground() {
   Scene scene = hand::scene();
   hand::add_body(scene, hand::box_mass(6, {0.2, 0.2, 0.2}), {0, 0, 0.05});

@@ -148,11 +148,13 @@ TEST(Tests, OfWheelsOnOneSideTheReasonIsTold) {
   scene.joints[1].name = "right_joint";
   scene.joints[1].axes[0].lower = -1;
   scene.joints[1].axes[0].upper = 1;
-  const MadeTest limited = make_test("turn", scene, find_wheels(scene, {}));
-  EXPECT_FALSE(limited.scenario);
-  EXPECT_NE(limited.why_not.find("on one side"), std::string::npos) << limited.why_not;
-  EXPECT_NE(limited.why_not.find("joint 'right_joint' has limits"), std::string::npos)
-      << limited.why_not;
+  for (const char* test : {"turn", "drive", "brake"}) {
+    const MadeTest limited = make_test(test, scene, find_wheels(scene, {}));
+    EXPECT_FALSE(limited.scenario) << test;
+    EXPECT_NE(limited.why_not.find("on one side"), std::string::npos) << limited.why_not;
+    EXPECT_NE(limited.why_not.find("joint 'right_joint' has limits"), std::string::npos)
+        << limited.why_not;
+  }
 }
 
 TEST(Tests, PushHasAFifthOfTheMomentumOfAFallAtTheCenterOfMass) {

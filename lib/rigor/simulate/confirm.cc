@@ -4,11 +4,25 @@
 #include <rigor/simulate/confirm.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <rigor/simulate/metric/parts.h>
 
 namespace rigor::simulate {
 namespace {
+
+/// What a motor or a contact leaks that is not solved to the end: speeds at rest, and what trembles.
+bool is_of_convergence(const Metric& metric) {
+  constexpr std::array<std::string_view, 9> kIds{
+      "accel.peak",     "energy.gain",   "settle.time",        "rest.residual_v", "rest.creep",
+      "rest.yaw_creep", "rest.contacts", "joint.anchor_error", "joint.jitter"};
+  return std::find(kIds.begin(), kIds.end(), metric.id) != kIds.end();
+}
+
+bool is_doubtful(const Metric& metric) {
+  return metric.verdict == Verdict::kWarn && is_of_convergence(metric);
+}
 
 bool fails(const std::vector<Metric>& metrics, const Metric& same) {
   return std::any_of(metrics.begin(), metrics.end(), [&](const Metric& metric) {
@@ -59,6 +73,27 @@ Votes votes_for(const std::vector<Again>& agains, const Run& run, const Metric& 
   return votes_of(agains, run, [&](const Again& again) { return shows(again, failure); });
 }
 
+bool is_exact(const Again& again) {
+  return again.variant.other == Variant::Other::kSolver &&
+         again.variant.settings.solver == Solver::kDantzig;
+}
+
+/// The exact solver's metric of a run that came to its end, where it is not as bad; null otherwise.
+const Metric* better_exact(const Again& again, const Metric& metric) {
+  if (!is_exact(again) || again.record.end != Record::End::kDone) return nullptr;
+  const auto exact = std::find_if(again.metrics.begin(), again.metrics.end(),
+                                  [&](const Metric& other) { return other.id == metric.id; });
+  const bool is_better = exact != again.metrics.end() && exact->verdict < metric.verdict;
+  return is_better ? &*exact : nullptr;
+}
+
+/// Half the step shares the iterative solver: of what has not converged the exact one's word counts.
+bool is_vetoed(const std::vector<Again>& agains, const Metric& failure) {
+  return is_of_convergence(failure) &&
+         std::any_of(agains.begin(), agains.end(),
+                     [&](const Again& again) { return better_exact(again, failure) != nullptr; });
+}
+
 Votes votes_for_stop(const std::vector<Again>& agains, const Run& run) {
   return votes_of(agains, run, [](const Again& again) { return again.stopped; });
 }
@@ -103,21 +138,30 @@ bool was_stopped(const Record& record) {
          record.end == Record::End::kOutOfTime;
 }
 
+bool has_doubtful_warning(const Run& run, const SolverSettings& settings) {
+  return settings.engine == EngineKind::kOde && settings.solver == Solver::kQuick &&
+         std::any_of(run.metrics.begin(), run.metrics.end(), is_doubtful);
+}
+
 Next next_of(const std::vector<Again>& agains, const Run& run) {
   const std::size_t most = run.engine == EngineKind::kMujoco ? kMujocoVariants : kVariants;
   if (agains.size() >= most) return Next::kNone;
   const bool any_open =
       (was_stopped(run.record) && votes_for_stop(agains, run).open()) ||
       std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
-        return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).open();
+        return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).open() &&
+               !is_vetoed(agains, metric);
       });
+  // The exact solver is the first of the variants.
+  const bool any_doubtful =
+      agains.empty() && std::any_of(run.metrics.begin(), run.metrics.end(), is_doubtful);
   // Where the other solver and half the step disagree a seed says how much is chance. It changes no verdict.
   const bool any_disputed =
       agains.size() == 2 &&
       std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
         return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).disputed();
       });
-  return any_open || any_disputed ? Next::kVariant : Next::kNone;
+  return any_open || any_doubtful || any_disputed ? Next::kVariant : Next::kNone;
 }
 
 void confirm(const std::vector<Again>& agains, Run& run) {
@@ -132,8 +176,10 @@ void confirm(const std::vector<Again>& agains, Run& run) {
     }
     if (again.stopped) confirmation.verdict = Verdict::kInvalid;
     for (const Metric& metric : run.metrics) {
-      if (metric.verdict != Verdict::kFail || !has_a_say(again, run)) continue;
-      if (shows(again, metric)) {
+      if (!has_a_say(again, run)) continue;
+      const bool is_asked = is_exact(again) && is_doubtful(metric);
+      if (metric.verdict != Verdict::kFail && !is_asked) continue;
+      if (is_asked ? better_exact(again, metric) == nullptr : shows(again, metric)) {
         confirmation.agrees = true;
       } else {
         confirmation.lacking.push_back(metric.id);
@@ -142,8 +188,13 @@ void confirm(const std::vector<Again>& agains, Run& run) {
     run.confirmations.push_back(std::move(confirmation));
   }
   for (Metric& metric : run.metrics) {
-    if (metric.verdict == Verdict::kFail && votes_for(agains, run, metric).denied()) {
-      blame_solver(metric);
+    if (metric.verdict != Verdict::kFail) continue;
+    if (is_vetoed(agains, metric) || votes_for(agains, run, metric).denied()) blame_solver(metric);
+  }
+  for (const Again& again : agains) {
+    for (Metric& metric : run.metrics) {
+      if (!is_doubtful(metric)) continue;
+      if (const Metric* exact = better_exact(again, metric)) metric = *exact;
     }
   }
   if (!stopped) return;

@@ -43,6 +43,24 @@ bool reaches_below_ground(const Scene& scene) {
   return false;
 }
 
+bool stands_on(const Scene& scene, std::uint32_t model, double slack) {
+  const std::vector<Vector3> corners = footprint_at_start(scene, model, slack);
+  return corners.size() >= 3 && tip_angle(scene, model, corners).angle > kStandAngle;
+}
+
+double feet_slack(const Scene& scene) { return std::max(kFootSlack, kFeetSlack * scene.size); }
+
+/// Legs and the like reach the ground with more than the base.
+bool stands_on_its_base(const Scene& scene, std::uint32_t model) {
+  const LowestPoints lowest(scene);
+  const double ground = lowest.of_model[model] + feet_slack(scene);
+  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
+    const bool other = scene.bodies[b].model == model && b != scene.models[model].base;
+    if (other && lowest.of_body[b] <= ground) return false;
+  }
+  return true;
+}
+
 bool has_any_shape(const Scene& scene, std::uint32_t model) {
   return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
     return shape.body < scene.bodies.size() && scene.bodies[shape.body].model == model;
@@ -52,21 +70,12 @@ bool has_any_shape(const Scene& scene, std::uint32_t model) {
 }  // namespace
 
 bool stands_by_itself(const Scene& scene, std::uint32_t model) {
-  const double slack = std::max(kFootSlack, kFeetSlack * scene.size);
-  const std::vector<Vector3> corners = footprint_at_start(scene, model, slack);
-  return corners.size() >= 3 && tip_angle(scene, model, corners).angle > kStandAngle;
+  return stands_on(scene, model, feet_slack(scene));
 }
 
 bool is_to_be_bolted(const Scene& scene, std::uint32_t model, const DriveTrain& wheels) {
   if (!wheels.empty() || !has_joint_to_move(scene, model)) return false;
-  if (!stands_by_itself(scene, model)) return true;
-  const LowestPoints lowest(scene);
-  const double ground = lowest.of_model[model] + std::max(kFootSlack, kFeetSlack * scene.size);
-  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
-    const bool other = scene.bodies[b].model == model && b != scene.models[model].base;
-    if (other && lowest.of_body[b] <= ground) return false;
-  }
-  return true;
+  return !stands_by_itself(scene, model) || stands_on_its_base(scene, model);
 }
 
 bool needs_free_base(std::string_view test) {
@@ -89,7 +98,9 @@ MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveT
   if (test == "joint-sweep") return {Base::kHang, kAboutJoints};
   // What nothing can hold falls, and is to be said so.
   if (test == "settle" && !has_any_shape(scene, model)) return {};
-  if (stands_by_itself(scene, model)) return {};
+  // Feet may differ in height by a little, and find the ground. A rigid base rocks.
+  const bool rigid = stands_on_its_base(scene, model);
+  if (stands_on(scene, model, rigid ? kFootSlack : feet_slack(scene))) return {};
   return {Base::kHang, "its center of mass is not above what it stands on"};
 }
 

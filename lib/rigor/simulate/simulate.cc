@@ -56,7 +56,7 @@ Run judged_run(const RunOrder& order, Record record) {
   return run;
 }
 
-bool to_be_confirmed(const Run& run) {
+bool failed(const Run& run) {
   return run.verdict == Verdict::kInvalid ||
          std::any_of(run.metrics.begin(), run.metrics.end(),
                      [](const Metric& metric) { return metric.verdict == Verdict::kFail; });
@@ -165,6 +165,7 @@ struct TaskRun {
   std::vector<Again> agains;      ///< of the first variants; the last may be on its way
   std::string left_out;           ///< why there was no time for it
   bool unconfirmed = false;       ///< or none to confirm it
+  bool failed = false;            ///< or was stopped, as it ran first
 };
 
 /// Runs what the tasks ask for, and hands over each task when the last of its runs is believed.
@@ -188,7 +189,7 @@ class Runs {
           if (too_large.empty()) waiting_.push_back({runs_.size(), std::nullopt});
           RunOrder order{&task, &scenario, settings_in(scenario, task.solver)};
           order.settings.engine = engine;
-          runs_.push_back({std::move(order), i, {}, {}, {}, too_large, false});
+          runs_.push_back({std::move(order), i, {}, {}, {}, too_large, false, false});
           if (!too_large.empty()) --left_[i];
         }
       }
@@ -268,7 +269,9 @@ class Runs {
       one.agains[*job.variant] = again_of(one, *job.variant, std::move(record));
     } else {
       one.run = judged_run(one.order, std::move(record));
-      if (options_.confirm == Confirm::kFailures && to_be_confirmed(one.run)) {
+      one.failed = failed(one.run);
+      const bool is_open = one.failed || has_doubtful_warning(one.run, one.order.settings);
+      if (options_.confirm == Confirm::kFailures && is_open) {
         one.variants = variants_of(one.order.settings);
       }
     }
@@ -299,7 +302,7 @@ class Runs {
     const Task& task = *one.order.task;
     if (!one.variants.empty()) {
       confirm(one.agains, one.run);
-      add_comparisons(task.scene, one.agains, one.run);
+      if (one.failed) add_comparisons(task.scene, one.agains, one.run);
       one.agains.clear();  // trajectories
     }
     if (one.unconfirmed) call_unconfirmed(one.run);
@@ -319,8 +322,9 @@ class Runs {
         continue;
       }
       if (one.unconfirmed) {
-        simulation.left_out.push_back("confirmation of " + test + ": " + budget_words() +
-                                      "; its failures are warnings");
+        simulation.left_out.push_back(
+            "confirmation of " + test + ": " + budget_words() +
+            (one.failed ? "; its failures are warnings" : "; its warnings are the quick solver's"));
       }
       simulation.runs.push_back(std::move(one.run));
     }

@@ -55,9 +55,10 @@ struct SimulateOptions {
 struct Confirmation {
   std::string what;  ///< "half the step", "dantzig", "seed 1"
   Verdict verdict = Verdict::kPass;
-  bool agrees = false;                    ///< shows a failure of the run
-  bool in_time = true;                    ///< else it says nothing about the run
-  std::vector<std::string_view> lacking;  ///< metrics that failed in the run and not in this
+  bool agrees = false;  ///< shows a failure of the run, or a warning that is in doubt
+  bool in_time = true;  ///< else it says nothing about the run
+  std::vector<std::string_view>
+      lacking;  ///< metrics of which that is true in the run and not in this
 };
 
 struct Run {

@@ -36,9 +36,8 @@ std::string_view own_name(std::string_view scoped) {
   return at == std::string_view::npos ? scoped : scoped.substr(at + 2);
 }
 
-/// Why the wheels that were found are all on one side; often another has limits, which no wheel has.
-std::string one_sided(const Scene& scene, const DriveTrain& wheels) {
-  const std::string found = "all of its wheels are on one side";
+/// A round link on an axis like the wheels', whose joint has limits, which no wheel has; null where there is none.
+const SceneJoint* limited_wheel(const Scene& scene, const DriveTrain& wheels) {
   const Vector3& axis =
       scene.joints[wheels.left.empty() ? wheels.right.front().joint : wheels.left.front().joint]
           .axes[0]
@@ -50,11 +49,26 @@ std::string one_sided(const Scene& scene, const DriveTrain& wheels) {
     const auto rolls = [&](const SceneShape& shape) {
       return shape.body == joint.child && round_about(scene, shape, joint.axes[0].direction_W);
     };
-    if (std::none_of(scene.shapes.begin(), scene.shapes.end(), rolls)) continue;
-    return found + "; joint '" + std::string(own_name(joint.name)) +
-           "' has limits, so it is not taken for one (`--wheels` names them)";
+    if (std::any_of(scene.shapes.begin(), scene.shapes.end(), rolls)) return &joint;
   }
-  return found;
+  return nullptr;
+}
+
+/// Why the wheels that were found are all on one side.
+std::string one_sided(const Scene& scene, const DriveTrain& wheels) {
+  const std::string found = "all of its wheels are on one side";
+  const SceneJoint* limited = limited_wheel(scene, wheels);
+  if (limited == nullptr) return found;
+  return found + "; joint '" + std::string(own_name(limited->name)) +
+         "' has limits, so it is not taken for one (`--wheels` names them)";
+}
+
+/// Why it does not drive straight ahead: a wheel is missing.
+std::string why_not_ahead(const Scene& scene, const DriveTrain& wheels) {
+  if (wheels.empty()) return no_wheels(wheels);
+  const bool lacks_one =
+      !wheels.steers() && wheels.steering.empty() && limited_wheel(scene, wheels);
+  return lacks_one ? one_sided(scene, wheels) : std::string();
 }
 
 Scenario settled_first(std::string name, const Scene& scene) {
@@ -86,7 +100,7 @@ DriveTrain as_told(const DriveTrain& wheels) {
 }  // namespace
 
 MadeTest make_drive(const Scene& scene, const DriveTrain& wheels) {
-  if (wheels.empty()) return {{}, no_wheels(wheels)};
+  if (const std::string why = why_not_ahead(scene, wheels); !why.empty()) return {{}, why};
   Scenario scenario = settled_first("drive", scene);
   const double settled = scenario.phases.front().end;
   const double cruise = settled + kRamp;
@@ -122,7 +136,7 @@ MadeTest make_turn(const Scene& scene, const DriveTrain& wheels) {
 }
 
 MadeTest make_brake(const Scene& scene, const DriveTrain& wheels) {
-  if (wheels.empty()) return {{}, no_wheels(wheels)};
+  if (const std::string why = why_not_ahead(scene, wheels); !why.empty()) return {{}, why};
   Scenario scenario = settled_first("brake", scene);
   const double settled = scenario.phases.front().end;
   const Phase run_up{"run-up", settled, settled + kRamp + 1};
