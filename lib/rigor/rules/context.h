@@ -60,6 +60,7 @@ struct Uri;
 struct Finding {
   Span where;
   std::string message;
+  std::string of_file = {};  ///< whose content the message quotes, where that is another file
   std::string subject = {};  ///< when empty, what the elements around the place are called
   std::vector<Label> related = {};
   std::string help = {};

@@ -4,6 +4,7 @@
 #include <rigor/text/path.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include <rigor/text/letter_case.h>
@@ -92,6 +93,14 @@ std::string extension(std::string_view path) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string_view::npos || dot == 0) return {};
   return lowered(name.substr(dot));
+}
+
+bool is_model_data(std::string_view path) {
+  constexpr std::string_view kEndings[] = {
+      ".3ds",  ".bmp", ".config", ".dae",  ".dds",  ".fbx",  ".gif",   ".glb",   ".gltf", ".hdr",
+      ".jpeg", ".jpg", ".mesh",   ".mjcf", ".mtl",  ".obj",  ".ply",   ".png",   ".sdf",  ".srdf",
+      ".stl",  ".tga", ".tif",    ".tiff", ".urdf", ".webp", ".world", ".xacro", ".xml",  ".xsdf"};
+  return std::find(std::begin(kEndings), std::end(kEndings), extension(path)) != std::end(kEndings);
 }
 
 bool is_absolute(std::string_view path) { return path.starts_with('/'); }

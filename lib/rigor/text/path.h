@@ -38,6 +38,10 @@ std::string_view file_name(std::string_view path);
 /// The last part's ending with its dot, in lower case: ".sdf"; empty when it has none.
 std::string extension(std::string_view path);
 
+/// Whether a file is a model, a mesh, a material or a picture by its ending. Who reads one takes its bytes for nothing
+/// else: a YAML reader refuses it, whose errors and values would tell what stands there.
+bool is_model_data(std::string_view path);
+
 bool is_absolute(std::string_view path);
 
 }  // namespace rigor

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include <rigor/text/path.h>
 #include <rigor/xacro/builtins.h>
 #include <rigor/xacro/expander.h>
 #include <rigor/xacro/value/literal.h>
@@ -202,6 +203,7 @@ Value Expander::load_yaml(std::string_view written) {
   file.value = Value::error();
   std::string found = path;
   ReadResult read = read_file(found);
+  if (is_model_data(found)) read = {std::nullopt, "its name is not that of a YAML file"};
   if (!read.bytes) return evaluator_.fail(FactKind::kFileNotFound, shown_path(path), read.problem);
   file.source = sources_.add(shown_path(found), std::move(*read.bytes));
   result_.files.push_back({found, file.source});

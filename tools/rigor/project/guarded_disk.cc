@@ -14,21 +14,15 @@ namespace {
 
 constexpr std::string_view kConfined = "lies outside of what --confine names";
 
-/// Of models, meshes, their materials and pictures. Who reads one of them takes its bytes for nothing else.
-constexpr std::string_view kReadAnywhere[] = {
-    ".3ds",  ".bmp", ".config", ".dae",  ".dds",  ".fbx",  ".gif",   ".glb",   ".gltf", ".hdr",
-    ".jpeg", ".jpg", ".mesh",   ".mjcf", ".mtl",  ".obj",  ".ply",   ".png",   ".sdf",  ".srdf",
-    ".stl",  ".tga", ".tif",    ".tiff", ".urdf", ".webp", ".world", ".xacro", ".xml",  ".xsdf"};
-
 /// What is looked for in the folders above a model.
 constexpr std::string_view kManifests[] = {".gitignore", "rigor.toml"};
 
 /// Patterns of who works in the repository, which git writes into every clone.
 constexpr std::string_view kOwnPatterns = "/.git/info/exclude";
 
-template <std::size_t N>
-bool is_one_of(const std::string_view (&list)[N], std::string_view name) {
-  return std::find(std::begin(list), std::end(list), name) != std::end(list);
+bool is_manifest(std::string_view path) {
+  return std::find(std::begin(kManifests), std::end(kManifests), file_name(path)) !=
+         std::end(kManifests);
 }
 
 }  // namespace
@@ -43,9 +37,9 @@ bool GuardedDisk::confined_from(const std::string& path) const {
 std::string GuardedDisk::refusal(const std::string& path) const {
   if (confined_from(path)) return std::string(kConfined);
   if (reach_.holds(path)) return {};
-  // A link has the name that a repository gave it.
+  // A link has the name that a repository gave it, by which readers know what it is.
   const std::string real = real_path_of(path);
-  if (is_one_of(kReadAnywhere, extension(real)) || is_one_of(kManifests, file_name(real)) ||
+  if ((is_model_data(real) && is_model_data(path)) || is_manifest(real) ||
       real.ends_with(kOwnPatterns))
     return {};
   return "lies outside of what was named, and is not read: --model-path DIR names its folder";

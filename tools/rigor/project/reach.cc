@@ -47,11 +47,15 @@ class Withholding {
 
   Diagnostic of(Diagnostic diagnostic) {
     const bool own = is_out(diagnostic.where);
-    if (own) {
-      diagnostic.message = place_only(sources_, diagnostic.where) +
-                           " lies outside of what was named, and is not quoted";
-      diagnostic.path = sources_.path(diagnostic.where.source);
-      diagnostic.where = {};
+    const bool of_other = !own && !diagnostic.of_file.empty() && !reach_.holds(diagnostic.of_file);
+    if (own || of_other) {
+      diagnostic.message =
+          (own ? place_only(sources_, diagnostic.where) : diagnostic.of_file) +
+          " lies outside of what was named, and is not quoted";
+      if (own) {
+        diagnostic.path = sources_.path(diagnostic.where.source);
+        diagnostic.where = {};
+      }
       diagnostic.subject.clear();
       diagnostic.cause.clear();
       diagnostic.fixes.clear();

@@ -19,6 +19,7 @@ void check(const read::Fact& fact, Context& context) {
                   .message = "the included file '" + fact.name + "' has " +
                              (one ? "an error" : std::to_string(fact.count) + " errors") + ": " +
                              fact.tried.front() + (one ? "" : ", …"),
+                  .of_file = fact.name,
                   .related = std::move(first),
                   .help = "check that file: rigor validate " + fact.name,
                   .cause = fact.name,

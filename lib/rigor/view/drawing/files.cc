@@ -39,7 +39,8 @@ std::string words_of(const mesh::LoadedMesh& loaded) {
       case mesh::FaultKind::kEmpty: return "is empty";
       case mesh::FaultKind::kTooLarge: return "is too large";
       case mesh::FaultKind::kNotFinite: return "has coordinates that are no numbers";
-      default: return "cannot be read" + (fault.detail.empty() ? "" : ": " + fault.detail);
+      // Its words may quote the file, which a page or a log is not to tell of files that lie anywhere.
+      default: return "cannot be read: `rigor mesh-check` says why";
     }
   }
   return "cannot be read";
