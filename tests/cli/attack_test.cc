@@ -108,6 +108,26 @@ TEST(Attack, ALinkInTheWayIsNamed) {
   EXPECT_EQ(folder.get("elsewhere"), "mine");
 }
 
+/// The folder of a mesh may be a link, and its URI may lead anywhere.
+TEST(Attack, NoMeshIsAppliedOutOfReach) {
+  for (const char* uri : {"meshes/part.obj", "../elsewhere/part.obj"}) {
+    const Folder folder;
+    folder.put("elsewhere/part.obj", kTriangles);
+    folder.put("robot/model.sdf", model_with_mesh(uri));
+    fs::create_symlink("../elsewhere", folder.path("robot/meshes"));
+    const std::string before = folder.get("robot/model.sdf");
+    const Ran ran = folder.rigor("mesh-check robot/model.sdf --apply --center com");
+    EXPECT_EQ(ran.exit, 2) << ran.out;
+    EXPECT_NE(ran.err.find("is out of reach"), std::string::npos) << ran.err;
+    EXPECT_FALSE(fs::exists(folder.path("elsewhere/part_edited.obj")));
+    EXPECT_EQ(folder.get("robot/model.sdf"), before);
+    EXPECT_EQ(
+        folder.rigor("mesh-check robot/model.sdf --apply --center com --model-path elsewhere").exit,
+        0);
+    EXPECT_TRUE(fs::exists(folder.path("elsewhere/part_edited.obj")));
+  }
+}
+
 /// Of a folder of pages a part may be a link, too.
 TEST(Attack, NoFolderIsWrittenThroughALink) {
   const Folder folder;
@@ -239,6 +259,63 @@ TEST_F(Secret, IsNotToldByAConfiguration) {
   EXPECT_EQ(inside.exit, 2);
   EXPECT_EQ(inside.err.find("HUNTER2"), std::string::npos) << inside.err;
   EXPECT_NE(inside.err.find("lies outside of the project"), std::string::npos) << inside.err;
+}
+
+/// What is well-formed and wrong is described by its own words.
+TEST_F(Secret, OfAModelOrMeshWithErrorsIsNotQuoted) {
+  folder_.put("secret/bad.sdf",
+              "<sdf version='1.9'><model name='b'><link name='l'><inertial><inertia>"
+              "<ixx>HUNTER2</ixx></inertia></inertial></link></model></sdf>");
+  folder_.put("secret/numbers.dae",
+              "<COLLADA version='1.4.1'><library_geometries><geometry id='g'><mesh><source id='p'>"
+              "<float_array id='a' count='3'>HUNTER2 0 0</float_array></source></mesh></geometry>"
+              "</library_geometries></COLLADA>");
+  folder_.put(
+      "secret/buffer.gltf",
+      "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":9,\"uri\":\"HUNTER2.bin\"}]}");
+  folder_.put("secret/paint.obj", std::string("mtllib no.mtl\nusemtl HUNTER2\n") + kSolid);
+  std::string parts;
+  for (const char* file : {"numbers.dae", "buffer.gltf", "paint.obj"}) {
+    for (const char* role : {"collision", "visual"}) {
+      parts += std::string("<") + role + " name='" + file + role +
+               "'><geometry><mesh><uri>../secret/" + file + "</uri></mesh></geometry></" + role +
+               ">";
+    }
+  }
+  folder_.put("robot/wrong.sdf",
+              "<sdf version='1.9'><model name='m'><include><uri>../secret/bad.sdf</uri></include>"
+              "<include merge='true'><uri>../secret/bad.sdf</uri></include><link name='l'>" +
+                  parts + "</link></model></sdf>\n");
+  for (const char* format : {"pretty", "json", "sarif", "github"}) {
+    tells_nothing(std::string("validate robot/wrong.sdf --format ") + format);
+  }
+  const Ran named = folder_.rigor("validate robot/wrong.sdf --format concise");
+  EXPECT_NE(named.out.find("include-has-errors"), std::string::npos) << named.out;
+  EXPECT_NE(named.out.find("secret/bad.sdf lies outside"), std::string::npos) << named.out;
+  EXPECT_NE(named.out.find("mesh-malformed"), std::string::npos) << named.out;
+  tells_nothing("mesh-check robot/wrong.sdf");
+  tells_nothing("render robot/wrong.sdf -o wrong.png --size 40x40");
+  tells_nothing("simulate robot/wrong.sdf --test settle");
+  tells_nothing("sdf2urdf robot/wrong.sdf --allow-loss");
+  // Within reach it is quoted.
+  const Ran open = folder_.rigor("validate robot/wrong.sdf --model-path secret");
+  EXPECT_NE(open.out.find("HUNTER2"), std::string::npos) << open.out;
+}
+
+/// Models and meshes are read wherever they lie: no other reader is to have them for that.
+TEST_F(Secret, InAModelIsNoYaml) {
+  folder_.put("secret/settings.xml", "HUNTER2: <b>\n");
+  folder_.put("secret/mesh.obj", "password: HUNTER2\n");
+  fs::create_symlink(folder_.path("secret/mesh.obj"), folder_.path("robot/linked.obj"));
+  fs::create_symlink(folder_.path("secret/settings.xml"), folder_.path("robot/linked.yaml"));
+  for (const char* file :
+       {"../secret/settings.xml", "../secret/mesh.obj", "linked.obj", "linked.yaml"}) {
+    folder_.put("robot/any.urdf.xacro",
+                template_of(std::string("<xacro:property name='y' value=\"${load_yaml('") + file +
+                            "')}\"/><link name=\"${y}\"/>"));
+    tells_nothing("validate robot/any.urdf.xacro --format sarif");
+    tells_nothing("expand -v robot/any.urdf.xacro");
+  }
 }
 
 /// A link has the name that the repository gave it.

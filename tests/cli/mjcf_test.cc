@@ -152,7 +152,7 @@ TEST_F(MjcfCli, KeepsTheSceneAndTheMeshesOfAnotherRobot) {
   const std::string scene = folder.get("out/scene.xml");
   const Ran refused = folder.rigor("sdf2mjcf two/m.sdf -o out/two.xml");
   EXPECT_EQ(refused.exit, 2);
-  EXPECT_NE(refused.err.find("is another mesh"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("is another file"), std::string::npos) << refused.err;
   EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf -o out/three.xml").exit, 0);
   EXPECT_EQ(folder.get("out/scene.xml"), scene);
   EXPECT_NE(folder.get("out/three_scene.xml").find("three.xml"), std::string::npos);

@@ -184,15 +184,13 @@ void ConversionCommand::write_result(const author::Conversion& result) const {
   write({0, out_}, *result.text);
 }
 
-/// Its name, but for the scene of another robot in the same folder. A mesh of another robot is not replaced
-/// while this one is new there: its file would show something else.
+/// Its name, but for the scene of another robot in the same folder. Another file is not replaced while the result is new
+/// there: it is another robot's mesh, or somebody's controllers.
 std::string ConversionCommand::place_of(const convert::SideFile& file) const {
   const std::string folder(parent_path(out_));
   const std::string path = join_path(folder, file.name);
-  const bool shared = file.name == kSceneFile || file.name.starts_with("assets/") ||
-                      file.name.starts_with("meshes/");
   std::error_code error;
-  if (!shared || !std::filesystem::is_regular_file(path, error)) return file.name;
+  if (!std::filesystem::is_regular_file(path, error)) return file.name;
   std::ifstream stream(path, std::ios::binary);
   const std::string there((std::istreambuf_iterator<char>(stream)), {});
   if (there == file.bytes) return file.name;
@@ -201,7 +199,7 @@ std::string ConversionCommand::place_of(const convert::SideFile& file) const {
     return own ? file.name : stem() + '_' + file.name;
   }
   if (std::filesystem::exists(out_, error)) return file.name;
-  throw UsageError(path + " exists and is another mesh: write the result to another folder");
+  throw UsageError(path + " exists and is another file: write the result to another folder");
 }
 
 /// As robots, with the names that the conversion would have given, and what they tell simulators with what

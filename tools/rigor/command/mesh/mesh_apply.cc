@@ -148,7 +148,19 @@ class Application {
     results_.push_back({replacement, std::move(done)});
   }
 
+  /// Whatever links and URIs of the model say.
+  void refuse_what_is_out_of_reach() const {
+    for (const Result& result : results_) {
+      const std::string& path = result.replacement.new_file;
+      if (checking_.reach().holds(path)) continue;
+      throw UsageError(path +
+                       " is out of reach: name its package with --package or its folder with "
+                       "--model-path");
+    }
+  }
+
   void write_all(const author::ModelEdits& edits) {
+    refuse_what_is_out_of_reach();
     for (const Result& result : results_) {
       for (report::WrittenFile& file :
            write_meshes(result.done, result.replacement.new_file, NamedBy::kRigor)) {

@@ -55,6 +55,7 @@ class MeshChecking {
 
   const Environment& environment() const { return environment_; }
   const Disk& disk() const { return disk_; }
+  const Reach& reach() const { return real_.reach(); }
   const rules::MeshCheckResult& result() const { return result_; }
 
   /// All arguments are there, and all meshes could be read to their ends.
