@@ -302,6 +302,28 @@ TEST(FromMjcf, VerticesOfTheFileBecomeAMeshFile) {
   EXPECT_EQ(FromMjcf(text, ResultFormat::kSdf, how).of_rule("convert-collision-lost").size(), 1U);
 }
 
+TEST(FromMjcf, EachMeshOfTheFileHasAFileOfItsOwn) {
+  const std::string text =
+      "<mujoco><asset><mesh name='one' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/>"
+      "<mesh name='two' vertex='0 0 0 1 0 0 0 1 0 0 0 2'/>"
+      "<mesh name='again' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/></asset><worldbody>"
+      "<body name='base'><geom type='mesh' mesh='one' mass='1'/>"
+      "<geom type='mesh' mesh='two' mass='1'/><geom type='mesh' mesh='again' mass='1'/>"
+      "</body></worldbody></mujoco>";
+  const FromMjcf sdf(text, ResultFormat::kSdf);
+  ASSERT_EQ(sdf.result.files.size(), 2U);
+  EXPECT_EQ(sdf.result.files[0].name, "meshes/one.stl");
+  EXPECT_EQ(sdf.result.files[1].name, "meshes/two.stl");
+  EXPECT_NE(sdf.result.files[0].bytes, sdf.result.files[1].bytes);
+  std::map<std::string, int> uses;
+  for (const xml::Element uri : sdf.all("uri")) ++uses[std::string(uri.text())];
+  EXPECT_EQ(uses["meshes/one.stl"], 2 * uses["meshes/two.stl"]);
+
+  const FromMjcf urdf(text, ResultFormat::kUrdf);
+  EXPECT_EQ(urdf.result.files.size(), 2U);
+  EXPECT_EQ(urdf.against(), Names{});
+}
+
 /// Each element and attribute has one outcome, those of included files too.
 TEST(FromMjcf, TheAccountIsOverAllOfAllFiles) {
   const std::string text =

@@ -204,7 +204,9 @@ std::optional<std::string> MjcfShaper::mesh_file(const model::Mesh& shape,
     const std::string stem = write::safe_name(name ? name->text : std::string_view("mesh"));
     auto written = mesh::write_mesh(*mesh, stem + ".stl");
     if (!written.bytes) return std::nullopt;
-    return put("inline " + *written.bytes, stem, *std::move(written.bytes));
+    // Made before the bytes are moved: the order of arguments is the compiler's.
+    const std::string identity = "inline " + *written.bytes;
+    return put(identity, stem, *std::move(written.bytes));
   }
   const std::string path = plan_.source.lookups.find_file(shape.uri.value, shape.uri.span.source);
   if (path.empty() || is_read_everywhere(path)) return std::string();
