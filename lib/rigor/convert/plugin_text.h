@@ -5,7 +5,7 @@
 // link that became part of another by that one's name, and places and directions in the frame that
 // the result has. Private to the room.
 //
-//   const PluginText text = plugin_text(plugin, {.links = renamed, .moved = moved}, "wing");
+//   const PluginText text = plugin_text(plugin, {.links = renamed, .moved = moved}, {.link = "wing"});
 //   block.xml += laid_out(document, plugin, text.layout);
 //   for (const PluginRemark& remark : text.remarks) …
 
@@ -26,6 +26,7 @@
 namespace rigor::convert {
 
 struct PluginNames {
+  std::string model;  ///< of the source: what comes before `::` in "arm::wing" for the link `wing`
   /// Names of the source → those of the result, where they differ.
   std::map<std::string, std::string, std::less<>> links, joints;
   /// A link's frame that is elsewhere in the result, or that another link holds.
@@ -53,12 +54,20 @@ struct PluginText {
   std::vector<PluginRemark> remarks;
 };
 
-/// `own_link`: the source's name of the link that the plugin is in; empty for one of the model.
+/// Where a plugin is, by the source's names inside the model that is converted.
+struct PluginPlace {
+  std::string_view link;   ///< empty for a plugin of a model
+  std::string_view model;  ///< of a nested one, in which the plugin's names are: "arm::hand"
+};
+
+/// A link is named by a parameter for links or in any other way: as text or attribute, plain or with
+/// its model's name before it.
 ///
 /// Rewritten in a frame that moved are what consumers are known to read in the link's frame: `cp`,
-/// `forward` and `upward` of LiftDrag, `xyzOffset` and `rpyOffset` beside a `bodyName`, as libsdformat
-/// does for links that it lumps. Other leaves of three or more numbers are left, with a remark.
-PluginText plugin_text(xml::Element plugin, const PluginNames& names, std::string_view own_link);
+/// `forward` and `upward` of LiftDrag, `center_of_volume` of Buoyancy, `xyzOffset` and `rpyOffset`
+/// beside a `bodyName`, as libsdformat does for links that it lumps. Other leaves and attributes of
+/// three or more numbers are left, with a remark, unless a link whose frame stays is named beside them.
+PluginText plugin_text(xml::Element plugin, const PluginNames& names, const PluginPlace& place);
 
 /// `name` attributes outside plugins that hold `::`, which libsdformat takes for a scope and refuses.
 LayoutChanges without_scopes(xml::Element element);

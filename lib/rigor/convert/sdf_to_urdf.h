@@ -44,7 +44,8 @@ struct MeshUri {
 
 enum class LoopPolicy : std::uint8_t { kCut, kComment };
 enum class ShapePolicy : std::uint8_t { kLose, kMesh };
-/// kBox: a thin box, 100 m wide or as wide as the plane is drawn, its face in the plane.
+/// kBox: a thin box, its face in the plane: of a visual as wide as the plane is drawn, of a collision, which
+/// has no end, at least 100 m.
 enum class PlanePolicy : std::uint8_t { kLose, kBox };
 enum class FramePolicy : std::uint8_t { kLinks, kDrop };
 enum class ModelPosePolicy : std::uint8_t { kDrop, kWorldLink };

@@ -117,12 +117,16 @@ class XmlLayout {
 
   /// The bytes, but for what is replaced in them.
   std::string changed(std::uint32_t begin, std::uint32_t end) const {
+    std::vector<const LayoutChanges::Replacement*> here;  // a tag may have several attributes
+    for (const auto& one : changes_.replacements) {
+      if (one.where.begin >= begin && one.where.end <= end) here.push_back(&one);
+    }
+    std::sort(here.begin(), here.end(), [](const auto* a, const auto* b) {
+      return a->where.begin > b->where.begin;  // from the back, so that places stay
+    });
     std::string text(bytes_.substr(begin, end - begin));
-    for (const auto& [where, instead] : changes_.replacements) {
-      if (where.begin < begin || where.end > end) continue;
-      // One at most in a piece of text, and of a tag its name.
-      text.replace(where.begin - begin, where.size(), instead);
-      break;
+    for (const auto* one : here) {
+      text.replace(one->where.begin - begin, one->where.size(), one->text);
     }
     return text;
   }

@@ -213,7 +213,7 @@ class BlockConverter {
 
   LayoutChanges changes_in(xml::Element plugin) {
     const std::string own = link_ ? draft_.source.root[link_].name.value : std::string();
-    PluginText text = plugin_text(plugin, draft_.plugin_names, own);
+    PluginText text = plugin_text(plugin, draft_.plugin_names, {.link = own, .model = {}});
     for (PluginRemark& remark : text.remarks) {
       const bool left = remark.kind == PluginRemark::Kind::kLeftInFrame;
       ledger_.note({.kind = left ? NoteKind::kPluginFrame : NoteKind::kPluginReference,
@@ -337,6 +337,7 @@ class BlockConverter {
 PluginNames plugin_names_of(const SdfDraft& draft) {
   PluginNames names;
   const model::Root& root = draft.source.root;
+  names.model = root.models.front().name.value;
   std::vector<model::Pose> X_HL(root.links.size());  // of each link in the one that holds it
   for (const Id<model::Link> id : draft.tree.order) {
     const SdfNode& node = draft.node(id);

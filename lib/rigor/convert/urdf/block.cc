@@ -62,8 +62,16 @@ class BlockMaker {
                         .count = add_as_it_stands(element, changes_in(element, pose))});
   }
 
-  /// Of the source's link that plugins are in.
+  /// Of the source's link that plugins are in, by its name inside the model that is converted.
   void of_link(const std::string& name) { own_link_ = name; }
+
+  /// Of the source's model that plugins are in.
+  void of_model(Id<model::Model> id) {
+    for (; id && id != draft_.top; id = draft_.source.root[id].parent) {
+      const std::string& name = draft_.source.root[id].name.value;
+      own_model_ = own_model_.empty() ? name : name + "::" + own_model_;
+    }
+  }
 
   void note(NoteKind kind, Span where, std::string subject, std::string written) {
     draft_.ledger.note({.kind = kind,
@@ -91,7 +99,8 @@ class BlockMaker {
   /// What a plugin says of links whose frames moved to their joints, and of what has a new name; gives
   /// the elements that it has not had.
   std::vector<std::string> add_changes(xml::Element plugin, LayoutChanges& changes) {
-    PluginText text = plugin_text(plugin, draft_.plugin_names, own_link_);
+    PluginText text =
+        plugin_text(plugin, draft_.plugin_names, {.link = own_link_, .model = own_model_});
     auto& all = changes.replacements;
     all.insert(all.end(), text.layout.replacements.begin(), text.layout.replacements.end());
     const auto name = plugin.attribute("name");
@@ -109,7 +118,7 @@ class BlockMaker {
 
   UrdfDraft& draft_;
   std::string reference_;
-  std::string own_link_;
+  std::string own_link_, own_model_;
   std::string lines_;
 };
 
@@ -273,6 +282,7 @@ void add_link_blocks(UrdfDraft& draft, Id<model::Link> id, const Pose& X_JL, con
   const std::string whose = subject(root, link);
   BlockMaker block(draft, draft.link_names.at(id));
   block.of_link(model::name_in(root, draft.top, id));
+  block.of_model(link.model);
   if (!keys.script.empty()) block.add_key("material", keys.script);
   block.add(keys.surface);
   if (const auto self_collide = self_collide_of(draft, link); self_collide.value) {
@@ -330,6 +340,7 @@ void add_model_blocks(UrdfDraft& draft, Id<model::Model> id) {
   const model::Model& model = root[id];
   const std::string whose = subject(root, model);
   BlockMaker block(draft, {});
+  block.of_model(id);
   carry_static(draft, model, block);
   carry_plugins(draft.source.documents.element(model.site), whose, block);
   if (model.include < root.includes.size()) {

@@ -110,6 +110,7 @@ class UrdfBuilder {
   /// Plugins name links and joints inside their model.
   void name_for_plugins() {
     PluginNames& plugins = draft_.plugin_names;
+    plugins.model = root_[top_].name.value;
     for (const auto& [id, name] : naming_.links) {
       const std::string inside = name_inside(tree_, root_, scoped_name(root_, id));
       if (inside != name) plugins.links.insert_or_assign(inside, name);
