@@ -39,6 +39,27 @@ TEST_F(ConversionCli, TransmissionsBecomeWhatIsChosen) {
             std::string::npos);
 }
 
+/// What lies beside a result that is new there is somebody else's.
+TEST_F(ConversionCli, NoFileOfSomebodyElseIsReplaced) {
+  folder.put("m.sdf",
+             "<sdf version='1.9'><model name='m'><link name='l'><visual name='v'><geometry>"
+             "<ellipsoid><radii>1 0.5 0.5</radii></ellipsoid></geometry></visual></link></model>"
+             "</sdf>");
+  const std::string name = "ellipsoid-1x0.5x0.5.stl";
+  folder.put("second/" + name, "mine");
+  const Ran refused = folder.rigor("sdf2urdf m.sdf -o second/m.urdf");
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_NE(refused.err.find(name + " exists and is another file"), std::string::npos)
+      << refused.err;
+  EXPECT_EQ(folder.get("second/" + name), "mine");
+  EXPECT_FALSE(exists("second/m.urdf"));
+  // A result that was there goes with what lies beside it.
+  folder.put("first/" + name, "old");
+  folder.put("first/m.urdf", "old");
+  EXPECT_EQ(folder.rigor("sdf2urdf m.sdf -o first/m.urdf").exit, 0);
+  EXPECT_NE(folder.get("first/" + name), "old");
+}
+
 /// The parameters of gz-sim 8's DiffDrive, by its documentation: topic, odom_topic, frame_id,
 /// child_frame_id and odom_publish_frequency; it has none for the torque of a wheel.
 TEST_F(ConversionCli, DrivePluginsOfGazeboClassicBecomeDiffDrive) {

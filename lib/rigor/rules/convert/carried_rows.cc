@@ -45,9 +45,10 @@ std::span<const Row> carried_rows() {
        .summary = "a plugin may speak in a frame that moved",
        .why =
            "In URDF a link's frame is at its joint, and a link that is lumped has the frame of the "
-           "link that holds it. What a plugin says in the frame of the link then means another "
-           "place or direction, unless it is one that rigor knows and rewrites: LiftDrag's cp, "
-           "forward and upward, xyzOffset and rpyOffset.",
+           "link that holds it. Where a plugin names such a link, as text or as an attribute, its "
+           "places and directions in the frame of the link then mean others, unless they are what "
+           "rigor knows and rewrites: LiftDrag's cp, forward and upward, the center_of_volume of "
+           "Buoyancy, xyzOffset and rpyOffset.",
        .what_to_do = "Move the numbers into the new frame, or put the link's frame at its joint."},
       {.rule = {"convert-safety", NoteKind::kSafety, Severity::kWarning, Formats::kUrdf},
        .message = "the safety controller ({written}) is lost: SDF has none",
@@ -67,9 +68,10 @@ std::span<const Row> carried_rows() {
              return note.instead.empty() ? "transmission {written} is lost: SDF has none"
                                          : "transmission {written} {instead}";
            },
-       .summary = "a transmission is lost",
+       .summary = "a transmission, or a part of one, is lost",
        .why = "SDF has no transmissions: ros_control reads them from the robot description, which "
-              "stays URDF.",
+              "stays URDF. `--control` writes the position, velocity and effort interfaces of "
+              "joints that move, and nothing else; Gazebo Sim has one of them for each joint.",
        .what_to_do =
            "Keep the URDF as the robot description, or choose `--control ros2_control` or "
            "`--control gz`."},
@@ -79,9 +81,10 @@ std::span<const Row> carried_rows() {
              return note.instead.empty() ? "ros2_control {written} is lost: SDF has none"
                                          : "ros2_control {written} {instead}";
            },
-       .summary = "a ros2_control block is lost",
+       .summary = "a ros2_control block, or a part of one, is lost",
        .why = "SDF has no hardware description: ros2_control reads it from the robot description, "
-              "which stays URDF.",
+              "which stays URDF. `--control gz` writes one position, velocity or effort interface "
+              "for each joint that moves, and nothing else.",
        .what_to_do = "Keep the URDF as the robot description."},
       {.rule = {"convert-control", NoteKind::kControl, Severity::kInfo, Formats::kUrdf},
        .message = "{written} becomes {instead}",
