@@ -200,6 +200,71 @@ TEST(UrdfShape, MeshFilesHaveTheShapesVolume) {
   EXPECT_NEAR(volume_of_file(prism), 0.125, 1e-7);
 }
 
+/// A plate of 4 by 4 m with a hole of 2 by 2 m, in which a post of 1 by 1 m stands.
+TEST(UrdfShape, APolylineInAnotherIsAHole) {
+  const auto square = [](const std::string& from, const std::string& to) {
+    return "<polyline><point>" + from + ' ' + from + "</point><point>" + to + ' ' + from +
+           "</point><point>" + to + ' ' + to + "</point><point>" + from + ' ' + to +
+           "</point><height>0.5</height></polyline>";
+  };
+  const std::string plate = square("0", "4") + square("1", "3");
+  UrdfPart part(link_with_shape(plate), "1.9", with_files());
+  EXPECT_NEAR(volume_of_file(part), 0.5 * (16 - 4), 1e-6);
+  EXPECT_EQ(part.link.visuals.size(), 1U);
+  EXPECT_EQ(part.link.collisions.size(), 1U);
+  const Account account = part.account();
+  EXPECT_EQ(of_kind(account.notes, NoteKind::kShape).size(), 2U);
+  UrdfPart box(link_with_shape("<box><size>1 1 1</size></box>"));
+  constexpr auto kLost = static_cast<std::size_t>(Outcome::kLost);
+  EXPECT_EQ(account.counts[kLost], box.account().counts[kLost]);
+  const UrdfPart with_post(link_with_shape(plate + square("1.5", "2.5")), "1.9", with_files());
+  EXPECT_NEAR(volume_of_file(with_post), 0.5 * (16 - 4 + 1), 1e-6);
+}
+
+TEST(UrdfShape, WhatHasNoMeshSaysWhy) {
+  const auto why = [](const std::string& shape) {
+    UrdfPart part(link_with_shape(shape), "1.11", with_files());
+    EXPECT_TRUE(part.link.visuals.empty());
+    const Account account = part.account();
+    const auto visual = of_kind(account.notes, NoteKind::kShapeLost);
+    const auto collision = of_kind(account.notes, NoteKind::kCollisionLost);
+    if (visual.size() != 1 || collision.size() != 1) return std::string("no note");
+    EXPECT_EQ(visual[0].instead, collision[0].instead);
+    return visual[0].instead;
+  };
+  const std::string square =
+      "<polyline><point>0 0</point><point>1 0</point><point>1 1</point><point>0 1</point>";
+  EXPECT_EQ(why(square + "<height>0</height></polyline>"),
+            "its height 0 m is not positive and finite");
+  EXPECT_EQ(why("<polyline><point>0 0</point><point>1 0</point><height>1</height></polyline>"),
+            "an outline has 2 of at least 3 points");
+  EXPECT_EQ(
+      why(square + "<height>1</height></polyline>" + square + "<height>1</height></polyline>"),
+      "its outlines cross or touch, or enclose no area");
+  EXPECT_EQ(why("<ellipsoid><radii>1 0 1</radii></ellipsoid>"),
+            "a radius is not positive and finite");
+  EXPECT_EQ(why("<plane><normal>0 0 1</normal></plane>"), "");
+}
+
+TEST(UrdfShape, AThinBoxIsAsWideAsAPlaneIsDrawn) {
+  UrdfOptions options;
+  options.planes = PlanePolicy::kBox;
+  const auto sizes = [&](const std::string& size) {
+    const UrdfPart part(link_with_shape("<plane><normal>0 0 1</normal>" + size + "</plane>"), "1.9",
+                        options);
+    const auto words = [](const UrdfGeometry& shape) {
+      std::string text;
+      for (const Number& side : std::get<UrdfBox>(shape).size) text += to_text(side) + ' ';
+      return text;
+    };
+    return words(part.link.visuals.at(0).geometry) + "and " +
+           words(part.link.collisions.at(0).geometry);
+  };
+  EXPECT_EQ(sizes("<size>2 3</size>"), "2 3 0.02 and 100 100 0.02 ");
+  EXPECT_EQ(sizes("<size>200 3</size>"), "200 3 0.02 and 200 100 0.02 ");
+  EXPECT_EQ(sizes(""), "1 1 0.02 and 100 100 0.02 ");
+}
+
 TEST(UrdfShape, EqualShapesShareAFile) {
   const UrdfPart part(link_with_shape("<cone><radius>0.1</radius><length>0.3</length></cone>"),
                       "1.11", with_files());

@@ -13,6 +13,7 @@
 #include <rigor/convert/urdf/material.h>
 #include <rigor/convert/urdf/parts.h>
 #include <rigor/convert/urdf/shape.h>
+#include <rigor/convert/urdf/shape_file.h>
 #include <rigor/convert/urdf/subtree.h>
 #include <rigor/convert/urdf/surface.h>
 #include <rigor/convert/urdf/take.h>
@@ -148,7 +149,8 @@ class LinkConverter {
                               .where = geometry.written ? geometry.site.name : site.name,
                               .subject = whose,
                               .written = part ? "submesh " + mesh->submesh.value
-                                              : std::string(shape_name(geometry.shape))});
+                                              : std::string(shape_name(geometry.shape)),
+                              .instead = why_no_shape_file(draft_, geometry)});
   }
 
   /// A transparency without a color has nothing to act on.

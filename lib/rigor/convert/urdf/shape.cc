@@ -15,7 +15,9 @@
 #include <rigor/convert/urdf/shape_file.h>
 #include <rigor/convert/urdf/uri.h>
 #include <rigor/convert/written_number.h>
+#include <rigor/read/documents.h>
 #include <rigor/write/numbers.h>
+#include <rigor/xml/document.h>
 
 namespace rigor::convert {
 namespace {
@@ -27,6 +29,18 @@ using model::Vector3;
 /// models of a ground are.
 constexpr double kPlaneThickness = 0.02;
 constexpr double kPlaneSize = 100;
+
+/// m: libsdformat draws a plane without a size so.
+constexpr double kDrawnPlaneSize = 1;
+
+bool is_side(double number) { return std::isfinite(number) && number > 0; }
+
+/// Whether the shape is a visual's.
+bool is_drawn(xml::Element shape) {
+  const auto geometry = shape.parent();
+  const auto part = geometry ? geometry->parent() : std::nullopt;
+  return part && part->name() == "visual";
+}
 
 /// The shortest rotation that takes z to the unit vector.
 model::Quaternion turn_z_to(const Vector3& up) {
@@ -79,7 +93,16 @@ class ShapeConverter {
 
   std::vector<UrdfShape> operator()(const model::Ellipsoid& /*shape*/) const { return from_file(); }
   std::vector<UrdfShape> operator()(const model::Cone& /*shape*/) const { return from_file(); }
-  std::vector<UrdfShape> operator()(const model::Polyline& /*shape*/) const { return from_file(); }
+  std::vector<UrdfShape> operator()(const model::Polyline& /*shape*/) const {
+    auto shapes = from_file();
+    if (shapes.empty()) return shapes;
+    // Its holes are further polylines beside it.
+    for (const xml::Element child :
+         draft_.source.documents.element(geometry_.site).parent()->children()) {
+      if (child.name() == "polyline") draft_.ledger.take_all(child, Outcome::kSubstituted);
+    }
+    return shapes;
+  }
 
   /// A thin box has an end, and lets through what is below it: only where it is asked for.
   std::vector<UrdfShape> operator()(const model::Plane& plane) const {
@@ -89,9 +112,17 @@ class ShapeConverter {
     draft_.ledger.take_all(geometry_.site, Outcome::kSubstituted);
     // What is drawn has a size; what collides has no end.
     double x = kPlaneSize, y = kPlaneSize;
-    if (const auto drawn = draft_.source.documents.element(geometry_.site).child("size")) {
-      const auto sides = write::numbers_in(drawn->text());
-      if (sides && sides->size() == 2) x = std::max(x, (*sides)[0]), y = std::max(y, (*sides)[1]);
+    const xml::Element element = draft_.source.documents.element(geometry_.site);
+    const auto written = element.child("size");
+    const auto sides = written ? write::numbers_in(written->text()) : std::nullopt;
+    const bool has_size =
+        sides && sides->size() == 2 && is_side((*sides)[0]) && is_side((*sides)[1]);
+    if (is_drawn(element)) {
+      x = has_size ? (*sides)[0] : kDrawnPlaneSize;
+      y = has_size ? (*sides)[1] : kDrawnPlaneSize;
+    } else if (has_size) {
+      x = std::max(x, (*sides)[0]);
+      y = std::max(y, (*sides)[1]);
     }
     const Vector3 up = (1 / size) * normal;
     UrdfBox box{numbers({x, y, kPlaneThickness})};

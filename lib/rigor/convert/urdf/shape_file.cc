@@ -13,11 +13,10 @@
 #include <variant>
 #include <vector>
 
+#include <rigor/convert/urdf/prism.h>
 #include <rigor/convert/urdf/uri.h>
-#include <rigor/mass/polyline.h>
 #include <rigor/mesh/primitive/primitive_mesh.h>
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/repair/cap.h>
 #include <rigor/mesh/select.h>
 #include <rigor/mesh/write/write.h>
 #include <rigor/schema/value.h>
@@ -46,45 +45,6 @@ TriangleMesh ellipsoid_mesh(const Vector3& radii) {
   return ball;
 }
 
-/// Twice the area that an outline goes round, m²; negative when it goes clockwise.
-double doubled_area(const mass::Outline& outline) {
-  double sum = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vector3& a = outline[i];
-    const Vector3& b = outline[(i + 1) % outline.size()];
-    sum += a.x * b.y - b.x * a.y;
-  }
-  return sum;
-}
-
-/// Nothing when the outline is none.
-std::optional<TriangleMesh> prism_mesh(const model::Polyline& polyline) {
-  if (!mass::solid_of(polyline)) return std::nullopt;
-  mass::Outline outline;
-  for (const auto& point : polyline.points) {
-    if (outline.empty() || point.value != outline.back()) outline.push_back(point.value);
-  }
-  if (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
-  if (doubled_area(outline) < 0) std::reverse(outline.begin(), outline.end());
-
-  TriangleMesh prism;
-  const auto n = static_cast<std::uint32_t>(outline.size());
-  std::vector<mesh::DirectedEdge> edges;
-  for (const Vector3& p : outline) prism.positions.push_back({p.x, p.y, 0});
-  for (const Vector3& p : outline) prism.positions.push_back({p.x, p.y, polyline.height.value});
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t next = (i + 1) % n;
-    edges.push_back({i, next});
-    prism.triangles.push_back({i, next, n + next});
-    prism.triangles.push_back({i, n + next, n + i});
-  }
-  for (const auto& [a, b, c] : mesh::cap_of(edges, prism.positions, {0, 0, 1})) {
-    prism.triangles.push_back({n + a, n + b, n + c});
-    prism.triangles.push_back({a, c, b});
-  }
-  return prism;
-}
-
 /// Nothing when the file has no such part.
 std::optional<TriangleMesh> part_mesh(const Source& source, const std::string& path,
                                       const model::Mesh& shape) {
@@ -106,6 +66,29 @@ std::optional<TriangleMesh> part_mesh(const Source& source, const std::string& p
   for (Vector3& p : part.positions) p = p - middle;
   return part;
 }
+
+/// Why a shape has no file that could have one; empty of others.
+struct NoShapeFile {
+  const Source& source;
+  const model::Geometry& geometry;
+
+  template <class Shape>
+  std::string operator()(const Shape& /*shape*/) const {
+    return {};
+  }
+  std::string operator()(const model::Ellipsoid& shape) const {
+    const auto& [x, y, z] = shape.radii.value;
+    return is_size(x) && is_size(y) && is_size(z) ? "" : "a radius is not positive and finite";
+  }
+  std::string operator()(const model::Cone& shape) const {
+    return is_size(shape.radius.value) && is_size(shape.length.value)
+               ? ""
+               : "its radius or length is not positive and finite";
+  }
+  std::string operator()(const model::Polyline& shape) const {
+    return why_no_prism(outlines_of(source, geometry), shape.height.value);
+  }
+};
 
 class ShapeFiler {
  public:
@@ -130,13 +113,15 @@ class ShapeFiler {
     return file(stem, stem, ".stl", [=] { return mesh::cone_mesh(radius, length); });
   }
   std::optional<std::string> operator()(const model::Polyline& shape) const {
-    if (outlines() != 1) return std::nullopt;
-    std::string identity = "prism " + size_words({shape.height.value});
-    for (const auto& point : shape.points) {
-      identity += ' ' + size_words({point.value.x, point.value.y});
+    const double height = shape.height.value;
+    const std::vector<mass::Outline> outlines = outlines_of(draft_.source, geometry_);
+    std::string identity = "prism " + size_words({height});
+    for (const mass::Outline& outline : outlines) {
+      for (const Vector3& point : outline) identity += ' ' + size_words({point.x, point.y});
+      identity += " /";
     }
     const std::string stem = "prism-" + std::to_string(draft_.files.size() + 1);
-    return file(identity, stem, ".stl", [&shape] { return prism_mesh(shape); });
+    return file(identity, stem, ".stl", [&] { return prism_mesh(outlines, height); });
   }
   std::optional<std::string> operator()(const model::Mesh& shape) const {
     const auto path = file_of(draft_.source, shape.uri);
@@ -149,16 +134,6 @@ class ShapeFiler {
   }
 
  private:
-  /// A polyline with holes is several in one geometry, of which the model keeps the first.
-  std::size_t outlines() const {
-    const auto parent = draft_.source.documents.element(geometry_.site).parent();
-    std::size_t count = 0;
-    for (const xml::Element child : parent->children()) {
-      if (child.name() == "polyline") ++count;
-    }
-    return count;
-  }
-
   /// `identity` tells meshes apart that have the same stem.
   template <class MakeMesh>
   std::optional<std::string> file(const std::string& identity, const std::string& stem,
@@ -189,6 +164,11 @@ class ShapeFiler {
 
 std::optional<std::string> shape_file(UrdfDraft& draft, const model::Geometry& geometry) {
   return std::visit(ShapeFiler(draft, geometry), geometry.shape);
+}
+
+std::string why_no_shape_file(const UrdfDraft& draft, const model::Geometry& geometry) {
+  if (draft.options.shapes != ShapePolicy::kMesh) return {};
+  return std::visit(NoShapeFile{draft.source, geometry}, geometry.shape);
 }
 
 }  // namespace rigor::convert

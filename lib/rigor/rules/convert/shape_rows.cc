@@ -20,20 +20,30 @@ std::span<const Row> shape_rows() {
               "and two spheres; other shapes become mesh files.",
        .what_to_do = "Nothing where the substitute is exact; else choose a shape that both have."},
       {.rule = {"convert-shape-lost", NoteKind::kShapeLost, Severity::kWarning},
-       .message = "there is no {written} in the target: the shape is left out",
+       .message =
+           [](const convert::Note& note) {
+             return note.instead.empty()
+                        ? "there is no {written} in the target: the shape is left out"
+                        : "the {written} is left out, as it has no mesh: {instead}";
+           },
        .summary = "a shape that the target lacks is left out",
        .why = "The link loses what it collides or is seen with. A robot that lost a collision "
               "falls through things.",
        .what_to_do = "Convert with `--shapes mesh`, which writes mesh files, or choose a shape "
                      "that both formats have."},
       {.rule = {"convert-collision-lost", NoteKind::kCollisionLost, Severity::kError},
-       .message = "there is no {written} in the target: the collision is left out",
+       .message =
+           [](const convert::Note& note) {
+             return note.instead.empty()
+                        ? "there is no {written} in the target: the collision is left out"
+                        : "the {written} is left out, as it has no mesh: {instead}";
+           },
        .summary = "a collision whose shape the target lacks is left out",
        .why =
            "What the robot touches and is touched by is another: it falls through the ground, or "
            "an arm plans through it.",
        .what_to_do =
-           "Write to a file with `-o`: shapes that have a mesh become mesh files beside it; "
+           "Write to a file with `-o`: shapes that enclose a solid become mesh files beside it; "
            "for a plane choose `--plane box`. `--allow-loss` leaves the collision out."},
       {.rule = {"convert-submesh", NoteKind::kSubmesh, Severity::kWarning, Formats::kSdf},
        .message =
