@@ -325,6 +325,16 @@ TEST(UrdfToSdf, GivesEachPartANameOfItsOwn) {
   EXPECT_EQ(result.links.at("x::y"), "x__y");
 }
 
+/// In SDF no two elements of a link have one name. Sensors name collisions, nobody a visual.
+TEST(UrdfToSdf, AVisualGivesWayToACollisionOfItsName) {
+  const SdfConversion result = to_sdf(
+      robot_xml(link_xml("a", inertial_xml("1") + "<visual name='q'>" + kBallXml +
+                                  "</visual><collision name='q'>" + kBallXml + "</collision>")));
+  const LoadedRobot after(sdf_text(*result.robot), "a.sdf");
+  EXPECT_EQ(after.root().collisions[0].name.value, "q");
+  EXPECT_EQ(after.root().visuals[0].name.value, "q_1");
+}
+
 TEST(UrdfToSdf, JointsSayWhatTheyMeanInSdf) {
   const SdfConversion result = to_sdf(
       robot_xml(link_xml("a") + link_xml("b") + link_xml("c") + link_xml("d") +

@@ -48,6 +48,20 @@ TEST(Robot, ForwardKinematics) {
   EXPECT_NEAR(X[2].translation.y, 2.5, kTiny);
 }
 
+TEST(Robot, NobodyMissesAnEmptyShape) {
+  const auto ball = [](const std::string& shape) {
+    return "<sdf version='1.9'><model name='m'><link name='a'>" + shape + "</link></model></sdf>";
+  };
+  const std::string empty =
+      "<collision name='c'><geometry><empty/></geometry></collision>"
+      "<visual name='v'><geometry><empty/></geometry></visual>";
+  EXPECT_TRUE(all_differences(ball(empty), ball("")).empty());
+  EXPECT_TRUE(all_differences(ball(""), ball(empty)).empty());
+  const std::string sphere =
+      "<collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry></collision>";
+  EXPECT_FALSE(all_differences(ball(sphere), ball(empty)).empty());
+}
+
 TEST(Robot, AScrewSlidesAsItTurns) {
   const std::string text = R"(<sdf version="1.11"><model name="m"><link name="a"/><link name="b"/>
     <joint name="j" type="screw"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz></axis>

@@ -50,10 +50,14 @@ def shapes(kind, shape):
     return make
 
 
-def urdf_chain(n):
+def urdf_chain(n, mimic=lambda i: ""):
     return ("<robot name='m'>" + "".join(f"<link name='l{i}'>{URDF_INERTIAL}</link>" for i in range(n)) + "".join(
         f"<joint name='j{i}' type='revolute'><parent link='l{i - 1}'/><child link='l{i}'/><axis xyz='0 0 1'/>"
-        "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint>" for i in range(1, n)) + "</robot>")
+        f"<limit lower='-1' upper='1' effort='1' velocity='1'/>{mimic(i)}</joint>" for i in range(1, n)) + "</robot>")
+
+
+def urdf_mimics(n):
+    return urdf_chain(n, lambda i: f"<mimic joint='j{i - 1}'/>" if i > 1 else "")
 
 
 def urdf_materials(n):
@@ -111,7 +115,7 @@ KINDS = {
     "chain": (chain, ".sdf"), "star": (star, ".sdf"), "ellipsoids": (shapes("visual", "<ellipsoid><radii>1 2 3</radii></ellipsoid>"), ".sdf"),
     "collisions": (shapes("collision", "<box><size>1 1 1</size></box>"), ".sdf"), "models": (models, ".sdf"), "frames": (frames, ".sdf"),
     "plugins": (plugins, ".sdf"), "sensors": (sensors, ".sdf"), "unknown": (unknown, ".sdf"), "twins": (twins, ".sdf"), "missing": (missing, ".sdf"),
-    "polyline": (polyline, ".sdf"), "urdf-chain": (urdf_chain, ".urdf"), "urdf-materials": (urdf_materials, ".urdf"), "urdf-star": (urdf_shapes, ".urdf"),
+    "polyline": (polyline, ".sdf"), "urdf-chain": (urdf_chain, ".urdf"), "urdf-mimics": (urdf_mimics, ".urdf"), "urdf-materials": (urdf_materials, ".urdf"), "urdf-star": (urdf_shapes, ".urdf"),
 }
 COMMANDS = {
     "validate": "validate {0}", "inspect": "inspect {0}", "inertia": "inertia {0} --material abs", "convert": "{convert} {0} --allow-loss -o {out}.model",

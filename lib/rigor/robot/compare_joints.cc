@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include <rigor/robot/compare_parts.h>
@@ -40,9 +42,20 @@ constexpr AxisNumber kSpringNumbers[] = {
 /// Joints that follow each other in a row before nobody asks any more.
 constexpr int kMaxFollowed = 100;
 
+/// The first joint of each name.
+using JointNames = std::unordered_map<std::string_view, std::uint32_t>;
+
+JointNames joints_by_name(const Robot& robot) {
+  JointNames found;
+  for (std::uint32_t i = 0; i < robot.joints.size(); ++i)
+    found.try_emplace(robot.joints[i].name, i);
+  return found;
+}
+
 class JointComparer {
  public:
-  explicit JointComparer(Comparison& comparison) : c_(comparison) {}
+  explicit JointComparer(Comparison& comparison)
+      : c_(comparison), a_(joints_by_name(comparison.a)), b_(joints_by_name(comparison.b)) {}
 
   void compare() {
     for (std::uint32_t i = 0; i < c_.a.joints.size(); ++i) {
@@ -274,14 +287,14 @@ class JointComparer {
   }
 
   /// Whom it follows in the end, and how: a follower of a follower may as well name the leader of both.
-  static Mimic in_the_end(const Robot& robot, Mimic follow) {
+  static Mimic in_the_end(const Robot& robot, const JointNames& names, Mimic follow) {
     const Mimic written = follow;
     for (int steps = 0; steps < kMaxFollowed; ++steps) {
-      const auto leader =
-          std::find_if(robot.joints.begin(), robot.joints.end(),
-                       [&follow](const Joint& joint) { return joint.name == follow.joint; });
-      if (leader == robot.joints.end() || follow.axis >= leader->axes.size()) return follow;
-      const std::optional<Mimic>& next = leader->axes[follow.axis].follow;
+      const auto leader = names.find(follow.joint);
+      if (leader == names.end()) return follow;
+      const std::vector<Axis>& axes = robot.joints[leader->second].axes;
+      if (follow.axis >= axes.size()) return follow;
+      const std::optional<Mimic>& next = axes[follow.axis].follow;
       if (!next) return follow;
       follow = {.joint = next->joint,
                 .axis = next->axis,
@@ -292,7 +305,7 @@ class JointComparer {
   }
 
   bool same_follow(const Mimic& written_x, const Mimic& written_y) const {
-    const Mimic x = in_the_end(c_.a, written_x), y = in_the_end(c_.b, written_y);
+    const Mimic x = in_the_end(c_.a, a_, written_x), y = in_the_end(c_.b, b_, written_y);
     // A folded reference comes with the rounding of its product.
     const double scale = std::max({1.0, std::abs(x.offset), std::abs(x.multiplier)});
     const bool offset =
@@ -301,9 +314,9 @@ class JointComparer {
   }
 
   bool same_leader(const Mimic& x, const Mimic& y) const {
-    for (std::uint32_t i = 0; i < c_.a.joints.size(); ++i) {
-      if (c_.a.joints[i].name != x.joint || x.axis >= c_.match.axes[i].size()) continue;
-      const Match::Axis& other = c_.match.axes[i][x.axis];
+    const auto leader = a_.find(x.joint);
+    if (leader != a_.end() && x.axis < c_.match.axes[leader->second].size()) {
+      const Match::Axis& other = c_.match.axes[leader->second][x.axis];
       return other.joint != kNoIndex && c_.b.joints[other.joint].name == y.joint &&
              other.axis == y.axis;
     }
@@ -311,6 +324,7 @@ class JointComparer {
   }
 
   Comparison& c_;
+  const JointNames a_, b_;
 };
 
 }  // namespace

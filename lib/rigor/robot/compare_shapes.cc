@@ -37,6 +37,9 @@ std::string shape_file(const Shape& shape) {
   return shape.submesh.empty() ? shape.uri : shape.uri + " " + shape.submesh;
 }
 
+/// `<empty/>`: nobody misses it in a format that has no word for it.
+bool is_nothing(const Part& part) { return part.shape.kind == "none"; }
+
 class ShapeComparer {
  public:
   ShapeComparer(Comparison& comparison, std::uint32_t body)
@@ -49,11 +52,13 @@ class ShapeComparer {
   void compare(const ShapeKinds& kinds, const std::vector<Part>& xs, const std::vector<Part>& ys) {
     for (const PartPair& pair : pair_parts(xs, ys)) {
       if (pair.b == kNoIndex) {
+        if (is_nothing(xs[pair.a])) continue;
         Difference& d = c_.add(kinds.only_in_a, robot_part_name(kinds.name, x_, xs[pair.a], pair.a),
                                "", xs[pair.a].span, {});
         d.from = {xs[pair.a].shape.numbers, xs[pair.a].shape.kind};
         d.unit = "m";
       } else if (pair.a == kNoIndex) {
+        if (is_nothing(ys[pair.b])) continue;
         Difference& d =
             c_.add(kinds.only_in_b, "", robot_part_name(kinds.name, y_, ys[pair.b], pair.b), {},
                    ys[pair.b].span);

@@ -28,6 +28,8 @@ std::string name_inside(const EditedModel& edited, Id<T> id) {
 template <class T>
 Id<T> named_inside(const EditedModel& edited, const std::vector<T>& all, std::string_view name) {
   for (std::uint32_t i = 0; i < all.size(); ++i) {
+    // Thousands of names are not put together for each question.
+    if (!name.ends_with(all[i].name.value)) continue;
     if (edited.inside(all[i].model) && name_inside(edited, Id<T>{i}) == name) return {i};
   }
   return {};

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <rigor/convert/ledger.h>
@@ -64,6 +65,8 @@ struct SdfDraft {
   std::set<std::string, std::less<>> used_materials;             ///< that a visual names
   double next_to_nothing = 0;     ///< kg, of a link that must have mass
   PluginNames plugin_names = {};  ///< what plugins have to say otherwise (gazebo.cc)
+  /// Joints that were seen to follow none in a ring.
+  std::unordered_set<std::uint32_t> not_in_ring = {};
 
   const SdfNode& node(model::Id<model::Link> id) const { return tree.nodes[id.value]; }
   /// The one that a joint became, of several the one that turns; null when it became none.

@@ -284,18 +284,29 @@ class SdfJointConverter {
   /// there is none.
   std::string ring() const {
     const Id<Joint> own = draft_.source.frames.names().find_joint(joint_.model, joint_.name.value);
-    std::string text = joint_.name.value;
-    Id<Joint> at = own;
-    for (std::size_t steps = 0; steps < root_.joints.size(); ++steps) {
-      const Joint& follower = root_[at];
-      if (follower.axes.empty() || !follower.axes[0].mimic) return {};
-      at = draft_.source.frames.names().find_joint(joint_.model,
-                                                   follower.axes[0].mimic->joint.value);
-      if (!at || at.value > own.value) return {};
-      text += " → " + root_[at].name.value;
-      if (at == own) return text + " is a ring, cut at " + joint_.name.value;
+    std::vector<Id<Joint>> walk;
+    for (Id<Joint> at = own; walk.size() <= root_.joints.size(); at = leader_of(at)) {
+      if (!at || draft_.not_in_ring.contains(at.value)) {
+        for (const Id<Joint> seen : walk) draft_.not_in_ring.insert(seen.value);
+        return {};
+      }
+      if (at.value > own.value) return {};
+      if (at == own && !walk.empty()) return words_of_ring(walk);
+      walk.push_back(at);
     }
     return {};
+  }
+
+  Id<Joint> leader_of(Id<Joint> follower) const {
+    const std::vector<model::Axis>& axes = root_[follower].axes;
+    if (axes.empty() || !axes[0].mimic) return {};
+    return draft_.source.frames.names().find_joint(joint_.model, axes[0].mimic->joint.value);
+  }
+
+  std::string words_of_ring(const std::vector<Id<Joint>>& ring) const {
+    std::string text;
+    for (const Id<Joint> joint : ring) text += root_[joint].name.value + " → ";
+    return text + joint_.name.value + " is a ring, cut at " + joint_.name.value;
   }
 
   SdfDraft& draft_;

@@ -22,7 +22,7 @@ namespace {
 using model::Id;
 using model::Link;
 
-/// URDF needs no names of shapes, SDF does, and no two alike in one link.
+/// URDF needs no names of shapes, SDF does, and no two alike in one link: nor a visual's and a collision's.
 class ShapeNames {
  public:
   /// `fallback` is for what has none.
@@ -91,8 +91,9 @@ class SdfLinkConverter {
       take_head(id);
       // Those on a link that is a frame are the frame's.
       if (id == holder_) link_.comments = comments_on(root_[id].site);
-      for (const auto visual : root_[id].visuals) add_visual(id, root_[visual]);
+      // Sensors name collisions: these keep their names.
       for (const auto collision : root_[id].collisions) add_collision(id, root_[collision]);
+      for (const auto visual : root_[id].visuals) add_visual(id, root_[visual]);
     }
     return std::move(link_);
   }
@@ -142,13 +143,13 @@ class SdfLinkConverter {
 
   /// A part's name and pose; of a link that became a frame the pose is in that.
   template <class Part>
-  SdfShape head_of(Id<Link> id, const Part& part, ShapeNames& names, const char* kind) {
+  SdfShape head_of(Id<Link> id, const Part& part, const char* kind) {
     ledger_.take(part.site);
     ledger_.take(part.name);
     ledger_.take_all(part.pose.site);
     SdfShape shape;
     shape.comments = comments_on(part.site);
-    shape.name = names.add(part.name.value, root_[id].name.value + '_' + kind);
+    shape.name = names_.add(part.name.value, root_[id].name.value + '_' + kind);
     shape.pose.origin = urdf_written_origin(draft_.source.documents, part.pose);
     if (id != holder_) shape.pose.relative_to = draft_.node(id).name;
     return shape;
@@ -188,7 +189,7 @@ class SdfLinkConverter {
   }
 
   void add_visual(Id<Link> id, const model::Visual& visual) {
-    SdfShape shape = head_of(id, visual, visual_names_, "visual");
+    SdfShape shape = head_of(id, visual, "visual");
     const std::string whose = model::subject(root_, visual);
     if (!set_geometry(shape, visual.geometry, whose, Use::kVisual)) return;
     add_material(shape, visual.material, whose);
@@ -196,7 +197,7 @@ class SdfLinkConverter {
   }
 
   void add_collision(Id<Link> id, const model::Collision& collision) {
-    SdfShape shape = head_of(id, collision, collision_names_, "collision");
+    SdfShape shape = head_of(id, collision, "collision");
     const xml::Element element = draft_.source.documents.element(collision.site);
     const std::string whose = model::subject(root_, collision);
     for (const char* idle : {"material", "verbose"}) {
@@ -264,7 +265,7 @@ class SdfLinkConverter {
   const model::Root& root_;
   Id<Link> holder_;
   SdfLink link_;
-  ShapeNames visual_names_, collision_names_;
+  ShapeNames names_;
 };
 
 }  // namespace
