@@ -29,7 +29,7 @@ TEST(CliNewRos2, ThePackagePassesAll) {
         "simulate " + robot + " --test all --fail-on warning",
         "simulate --scenario " + package + "/test/drive.toml --fail-on warning",
         "mesh-check " + robot + " --fail-on info", "expand " + robot + " use_sim:=true",
-        "inspect " + robot,
+        "inspect " + robot, "fmt --check " + package,
         "resolve package://my_robot_description/meshes/chassis.obj --from " + robot}) {
     const Ran ran = folder.rigor(arguments + " --isolated");
     EXPECT_EQ(ran.exit, 0) << arguments << '\n' << ran.out << ran.err;
