@@ -17,6 +17,19 @@
 namespace rigor::test {
 namespace {
 
+/// URDF has no loops: who needs one writes the joint that closes it into a block, which libsdformat reads.
+TEST_F(ConversionCli, AJointInABlockOfGazeboIsInTheResult) {
+  folder.put("loop.urdf",
+             "<robot name='r'>" + urdf_link("a") + urdf_link("b") + urdf_link("c") +
+                 urdf_joint("left", "continuous", "a", "b", "<axis xyz='0 0 1'/>") +
+                 urdf_joint("right", "continuous", "a", "c", "<axis xyz='0 0 1'/>") +
+                 "<gazebo><joint name='loop' type='revolute'><parent>b</parent><child>c</child>"
+                 "<axis><xyz>0 0 1</xyz></axis></joint></gazebo></robot>");
+  const Ran ran = folder.rigor("urdf2sdf loop.urdf");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.out.find("<joint name='loop' type='revolute'>"), std::string::npos) << ran.out;
+}
+
 TEST_F(ConversionCli, WritesTheModelToStdoutAndTheRestToStderr) {
   const Ran ran = folder.rigor("sdf2urdf arm.sdf");
   EXPECT_EQ(ran.exit, 0);

@@ -297,6 +297,12 @@ TEST(Advice, AStartOutsideLimitsAndAnEffortThatDoesNotCarry) {
   EXPECT_NEAR(weak[0].value, 2 * 9.8 * 0.5, 1e-9);
   EXPECT_EQ(weak[0].limit, 5);
   EXPECT_FALSE(weak[0].slides);
+  // It moves what it cannot hold, whatever is wrong besides.
+  Facts with_inertia(3, {.kind = FactKind::kCauseInertia});
+  with_inertia.push_back(weak[0]);
+  for (const FactKind shown : {FactKind::kRestless, FactKind::kNeverSettles}) {
+    EXPECT_EQ(explain({.kind = shown}, with_inertia).front().kind, FactKind::kCauseEffort);
+  }
   scene.joints[2].type = model::JointType::kPrismatic;
   scene.joints[2].axes[0].direction_W = {0, 0, 1};
   const std::vector<Fact> sliding = of_kind(causes_of(scene), FactKind::kCauseEffort);

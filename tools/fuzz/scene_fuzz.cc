@@ -8,11 +8,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <string_view>
 
 #include <rigor/mesh/asset/asset.h>
 #include <rigor/mesh/collada/collada.h>
+#include <rigor/mesh/importer/scene.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/topology/topology.h>
 #include <rigor/text/disk.h>
@@ -25,6 +27,16 @@ using rigor::mesh::LoadedMesh;
 
 // Larger meshes take time that is better spent on other bytes.
 constexpr std::size_t kSmall = 1000;
+
+constexpr std::uint64_t kImportBytes = std::uint64_t{128} << 20U;
+
+/// To fill the gigabyte that users allow takes a sanitized worker seconds, which is no fault of the file's.
+const rigor::process::Workers& small_workers() {
+  static rigor::process::Workers workers;
+  static std::once_flag once;
+  std::call_once(once, [] { rigor::mesh::allow_imports(workers, kImportBytes); });
+  return workers;
+}
 
 void look_at(const LoadedMesh& loaded) {
   rigor::fuzz::expect_sound(loaded);
@@ -43,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   rigor::MemoryDisk disk;
   disk.put(path, std::string(bytes));
   disk.put("mesh.mtl", std::string(bytes));
-  const LoadedMesh loaded = rigor::mesh::read_mesh(disk, path);
+  const LoadedMesh loaded = rigor::mesh::read_mesh(disk, path, small_workers());
   look_at(loaded);
   look_at(rigor::mesh::read_collada(bytes));
   rigor::mesh::asset_of(disk, path, loaded.format);

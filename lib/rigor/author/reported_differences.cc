@@ -26,6 +26,14 @@ ReportedDifferences::ReportedDifferences(const model::Root& root, const Notes& n
     keep(joint.site);
     for (const auto& axis : joint.axes) keep(axis.site);
   }
+  for (const model::GazeboBlock& block : root.gazebo_blocks) {
+    for (const model::Parameter& part : block.content) {
+      const auto* name = model::attribute(part, "name");
+      if (name != nullptr && (part.name == "joint" || part.name == "frame")) {
+        of_blocks_.insert(part.name + ' ' + name->value);
+      }
+    }
+  }
   for (const Note& note : notes) add(note);
   for (auto& [source, places] : places_) {
     std::sort(places.spans.begin(), places.spans.end());
@@ -60,6 +68,7 @@ void ReportedDifferences::add(const Note& note) {
 
 bool ReportedDifferences::include(const Difference& difference) const {
   if (in_other_words(difference)) return true;
+  if (difference.a.empty() && of_blocks_.contains(difference.b)) return true;
   const Span where = whole(difference.span_a);
   if (where.nowhere()) return follows(difference.kind);
   const auto places = places_.find(where.source);

@@ -47,9 +47,11 @@ class ReportedDifferences {
 
   std::map<std::pair<SourceId, std::uint32_t>, Span> whole_;  ///< of each start tag
   std::map<SourceId, Places> places_;
-  std::set<std::string> massless_;        ///< names of links
-  std::set<std::string> elsewhere_;       ///< names that meshes got
-  std::set<std::string> worlds_;          ///< links that became the world
+  std::set<std::string> massless_;   ///< names of links
+  std::set<std::string> elsewhere_;  ///< names that meshes got
+  std::set<std::string> worlds_;     ///< links that became the world
+  std::set<std::string>
+      of_blocks_;  ///< "joint loop", of `<gazebo>`, where URDF has no robot's parts
   std::vector<std::string> unfollowing_;  ///< subjects of joints that mimic none any more
   bool has_gearbox_ = false, has_shape_ = false, has_loop_ = false;
 };

@@ -27,8 +27,6 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kExplodes:
     case kTooFast:
     case kEnergyGained:
-    case kNeverSettles:
-    case kRestless:
     case kJointJitters:
     case kAnchorError:
     case kStepSensitive:
@@ -38,6 +36,13 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kEngineRefused:
       return {kCauseMeshScale, kCauseStartOutsideLimits, kCauseDefaultInertia, kCauseInertia,
               kCauseMassRatio, kCauseWheelOffCenter,     kCauseMeshWheel,      kCauseNoCollision};
+    // What a joint cannot hold moves.
+    case kNeverSettles:
+    case kRestless:
+      return {
+          kCauseMeshScale,  kCauseStartOutsideLimits, kCauseEffort,         kCauseDefaultInertia,
+          kCauseInertia,    kCauseMassRatio,          kCauseWheelOffCenter, kCauseMeshWheel,
+          kCauseNoCollision};
     case kCreeps:
       return {kCauseMeshScale, kCauseMeshWheel, kCauseWheelAxis, kCauseDefaultInertia,
               kCauseInertia};
@@ -50,8 +55,8 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kUnbalanced:
     case kFalls:
     case kSinks:
-      return {kCauseMeshScale, kCauseNoCollision,    kCauseFlag,   kCauseSoftContact,
-              kCauseMassRatio, kCauseDefaultInertia, kCauseInertia};
+      return {kCauseMeshScale, kCauseNoCollision, kCauseFlag,           kCauseSoftContact,
+              kCauseEffort,    kCauseMassRatio,   kCauseDefaultInertia, kCauseInertia};
     case kLimitViolated:
       return {kCauseStartOutsideLimits, kCauseMassRatio, kCauseDefaultInertia, kCauseInertia};
     case kStiffControl: return {kCauseInertia, kCauseDefaultInertia};
