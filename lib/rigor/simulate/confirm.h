@@ -56,9 +56,8 @@ Next next_of(const std::vector<Again>& agains, const Run& run);
 
 /// Writes the confirmations into the run. A metric whose failure two runs lack, and not two of those with a
 /// say show, becomes `solver`, with a fact of kind kSolverDiffers that names it; the same for a run that was
-/// stopped. One that took too long, or that came apart where the run itself did not, has no say. A failure of the same
-/// kind that the exact solver lacks is the solver's, whatever the others show; a doubtful warning that
-/// the exact solver lacks passes, with the exact solver's value.
+/// stopped. One that took too long, or that came apart where the run itself did not, has no say. A doubtful
+/// warning or a failure of rest (speeds, jitter) that the exact solver lacks gives way to its metric.
 void confirm(const std::vector<Again>& agains, Run& run);
 
 /// How far the ends of two runs are apart: of models' bases, as a share of the scene's size or of the

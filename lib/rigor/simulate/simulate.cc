@@ -62,6 +62,14 @@ bool failed(const Run& run) {
                      [](const Metric& metric) { return metric.verdict == Verdict::kFail; });
 }
 
+/// After it was confirmed: whether what the other runs show of the way is worth telling.
+bool is_failure_or_solvers(const Run& run) {
+  return run.verdict == Verdict::kInvalid || run.verdict == Verdict::kSolver ||
+         std::any_of(run.metrics.begin(), run.metrics.end(), [](const Metric& metric) {
+           return metric.verdict == Verdict::kFail || metric.verdict == Verdict::kSolver;
+         });
+}
+
 void add_difference(const Scene& scene, std::string_view id, double difference, Run& run) {
   if (!(difference < kInfinity)) return;
   Fact about = about_scene(scene);
@@ -302,7 +310,7 @@ class Runs {
     const Task& task = *one.order.task;
     if (!one.variants.empty()) {
       confirm(one.agains, one.run);
-      if (one.failed) add_comparisons(task.scene, one.agains, one.run);
+      if (is_failure_or_solvers(one.run)) add_comparisons(task.scene, one.agains, one.run);
       one.agains.clear();  // trajectories
     }
     if (one.unconfirmed) call_unconfirmed(one.run);
