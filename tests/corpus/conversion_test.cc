@@ -189,9 +189,6 @@ const std::set<std::string> kLosesSomething{
     "gazebo_classic_2014/test/worlds/concave_submesh_collision_test.world polaris_ranger_ev",
     "gazebo_classic_2014/test/worlds/concave_submesh_no_collision_test.world polaris_ranger_ev",
     "rmf_demos/rmf_demos_assets/models/Caddy/model.sdf caddy",
-    // They collide as prisms with holes: several outlines in one geometry.
-    "gazebo_models/hoop_red/model.sdf hoop_red",
-    "gz-sim/examples/worlds/polylines.sdf letter",
 };
 
 TEST(CorpusConversion, EveryTreeOfPlainJointsConvertsWithoutALoss) {
