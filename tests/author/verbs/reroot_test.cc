@@ -43,6 +43,22 @@ constexpr const char* kMast = R"(<robot name="mast">
 </robot>
 )";
 
+/// libsdformat calls such a joint wheel_joint.
+TEST(Reroot, AJointWithTheNameOfItsLink) {
+  VerbBench bench({{"m.sdf", R"(<sdf version="1.4"><model name="m">
+  <link name="base"/>
+  <link name="wheel"><pose>1 0 0 0 0 0</pose></link>
+  <joint name="wheel" type="revolute"><parent>base</parent><child>wheel</child>
+    <axis><xyz>0 1 0</xyz></axis></joint>
+</model></sdf>
+)"}});
+  const EditedModel& m = bench.open("m.sdf");
+  EXPECT_TRUE(m.joint("wheel_joint"));
+  const Change change = rerooted(m, "wheel");
+  EXPECT_EQ(change.refused, "");
+  EXPECT_TRUE(bench.prove(m, change).holds());
+}
+
 TEST(Reroot, TheFramesOnTheWay) {
   VerbBench bench({{"mast.urdf", kMast}});
   const EditedModel& mast = bench.open("mast.urdf");

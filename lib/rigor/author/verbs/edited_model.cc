@@ -25,11 +25,20 @@ std::string name_inside(const EditedModel& edited, Id<T> id) {
   return whole.size() > prefix ? whole.substr(prefix) : std::string();
 }
 
+/// Without its scope. A joint or frame with a link's name has another one to refer to.
+template <class T>
+std::string_view own_name(const T& each) {
+  if constexpr (requires { each.alias; }) {
+    if (!each.alias.empty()) return each.alias;
+  }
+  return each.name.value;
+}
+
 template <class T>
 Id<T> named_inside(const EditedModel& edited, const std::vector<T>& all, std::string_view name) {
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     // Thousands of names are not put together for each question.
-    if (!name.ends_with(all[i].name.value)) continue;
+    if (!name.ends_with(own_name(all[i]))) continue;
     if (edited.inside(all[i].model) && name_inside(edited, Id<T>{i}) == name) return {i};
   }
   return {};
