@@ -109,47 +109,6 @@ TEST(DrawnShape, PutsAPictureUprightOnTheSidesOfABox) {
   }
 }
 
-mass::Outline square(double half, double x = 0) {
-  return {{x - half, -half, 0}, {x + half, -half, 0}, {x + half, half, 0}, {x - half, half, 0}};
-}
-
-TEST(DrawnShape, ExtrudesOutlinesWithHolesAndIslands) {
-  const mass::Outline star{{0, 0, 0}, {4, 1, 0}, {8, 0, 0}, {5, 4, 0}, {4, 9, 0}, {3, 4, 0}};
-  mass::Outline backwards = square(2);
-  std::reverse(backwards.begin(), backwards.end());
-  mass::Outline closed = square(1);
-  closed.push_back(closed.front());
-  const std::vector<std::vector<mass::Outline>> cases{
-      {square(1)},
-      {star},
-      {backwards},
-      {closed},
-      {square(3), square(1)},
-      {square(3), backwards, square(1)},             // an island in a hole
-      {square(3), square(0.5, -1), square(0.5, 1)},  // two holes
-      {square(1, -5), square(1, 5)},
-  };
-  for (const auto& outlines : cases) {
-    const auto solid = mass::extruded(outlines, 0.5);
-    const auto drawn = extruded_mesh(outlines, 0.5);
-    ASSERT_TRUE(solid);
-    ASSERT_TRUE(drawn);
-    EXPECT_TRUE(is_closed(*drawn));
-    const auto moments = moments_of(*drawn, {1, 1, 1});
-    EXPECT_NEAR(moments.volume, solid->volume, 1e-9);
-    EXPECT_NEAR(mass::solid_of(moments).com.x, solid->com.x, 1e-9);
-    EXPECT_NEAR(mass::solid_of(moments).com.z, 0.25, 1e-9);
-    double area = 0;  // of both ends: no triangle folds over another
-    for (const mesh::Triangle& t : drawn->triangles) {
-      area += std::abs(mesh::area_vector(mesh::facet(*drawn, t)).z) / 2;
-    }
-    EXPECT_NEAR(area, 2 * solid->volume / 0.5, 1e-9);
-  }
-  EXPECT_FALSE(extruded_mesh({{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}}, 1))
-      << "crosses itself";
-  EXPECT_FALSE(extruded_mesh({square(1)}, NAN));
-}
-
 TEST(DrawnShape, DrawsAllOutlinesOfAGeometry) {
   const auto outline = [](double half) {
     const std::string h = std::to_string(half);

@@ -22,15 +22,10 @@ double turn_seen_from_above(const Vector3& a, const Vector3& b, const Vector3& c
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// As seen from `origin`, without corners that repeat the one before.
-Outline cleaned(const Outline& outline, const Vector3& origin) {
-  Outline result;
-  for (const Vector3& p : outline) {
-    const Vector3 seen{p.x - origin.x, p.y - origin.y, 0};
-    if (result.empty() || seen != result.back()) result.push_back(seen);
-  }
-  while (result.size() > 1 && result.front() == result.back()) result.pop_back();
-  return result;
+Outline seen_from(const Vector3& origin, const Outline& outline) {
+  Outline seen;
+  for (const Vector3& p : outline) seen.push_back(p - origin);
+  return seen;
 }
 
 std::vector<Side> sides_of(const std::vector<Outline>& outlines) {
@@ -129,13 +124,9 @@ AreaMoments area_moments(const Outline& outline) {
 /// What is left when outlines within outlines are holes.
 AreaMoments area_moments(const std::vector<Outline>& outlines) {
   AreaMoments sum;
+  const std::vector<bool> turned = with_solid_on_the_right(outlines);
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const AreaMoments own = area_moments(outlines[i]);
-    bool hole = false;
-    for (std::size_t j = 0; j < outlines.size(); ++j) {
-      if (j != i && contains(outlines[j], outlines[i].front())) hole = !hole;
-    }
-    sum.add(hole == (own.area > 0) ? -1 : 1, own);
+    sum.add(turned[i] ? -1 : 1, area_moments(outlines[i]));
   }
   return sum;
 }
@@ -163,7 +154,7 @@ std::optional<Solid> extruded(const std::vector<Outline>& outlines, double heigh
     for (const Vector3& p : outline) {
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) return std::nullopt;
     }
-    seen.push_back(cleaned(outline, origin));
+    seen.push_back(corners_of(seen_from(origin, outline)));
     sides += seen.back().size();
     if (seen.back().size() < 3) return std::nullopt;
   }
@@ -171,6 +162,28 @@ std::optional<Solid> extruded(const std::vector<Outline>& outlines, double heigh
   const Solid solid = prism(area_moments(seen), origin, height);
   if (!(solid.volume > 0) || !std::isfinite(solid.volume)) return std::nullopt;
   return solid;
+}
+
+Outline corners_of(const Outline& outline) {
+  Outline corners;
+  for (const Vector3& p : outline) {
+    const Vector3 flat{p.x, p.y, 0};
+    if (corners.empty() || flat != corners.back()) corners.push_back(flat);
+  }
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  return corners;
+}
+
+std::vector<bool> with_solid_on_the_right(const std::vector<Outline>& outlines) {
+  std::vector<bool> turned(outlines.size());
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    bool hole = false;
+    for (std::size_t j = 0; j < outlines.size(); ++j) {
+      if (j != i && contains(outlines[j], outlines[i].front())) hole = !hole;
+    }
+    turned[i] = hole == (area_moments(outlines[i]).area > 0);
+  }
+  return turned;
 }
 
 std::optional<Solid> solid_of(const model::Polyline& polyline) {

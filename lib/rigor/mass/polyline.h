@@ -33,4 +33,11 @@ std::optional<Solid> extruded(const std::vector<Outline>& outlines, double heigh
 
 std::optional<Solid> solid_of(const model::Polyline& polyline);
 
+/// Without corners that repeat the one before, at z = 0.
+Outline corners_of(const Outline& outline);
+
+/// Of outlines of corners that do not touch: whether each goes round clockwise, as the hole in a solid should, or a solid does
+/// that should not. With those turned, what is solid is left of every side.
+std::vector<bool> with_solid_on_the_right(const std::vector<Outline>& outlines);
+
 }  // namespace rigor::mass

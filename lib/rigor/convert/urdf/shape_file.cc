@@ -13,8 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/convert/urdf/prism.h>
+#include <rigor/convert/urdf/outlines.h>
 #include <rigor/convert/urdf/uri.h>
+#include <rigor/mass/mesh/prism.h>
 #include <rigor/mesh/primitive/primitive_mesh.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/select.h>
@@ -121,7 +122,7 @@ class ShapeFiler {
       identity += " /";
     }
     const std::string stem = "prism-" + std::to_string(draft_.files.size() + 1);
-    return file(identity, stem, ".stl", [&] { return prism_mesh(outlines, height); });
+    return file(identity, stem, ".stl", [&] { return mass::prism_mesh(outlines, height); });
   }
   std::optional<std::string> operator()(const model::Mesh& shape) const {
     const auto path = file_of(draft_.source, shape.uri);

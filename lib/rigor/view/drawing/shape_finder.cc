@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include <rigor/mass/mesh/prism.h>
 #include <rigor/read/values.h>
 #include <rigor/schema/value.h>
 #include <rigor/view/turn.h>
@@ -22,6 +23,14 @@ FoundShape no_shape(std::string why) {
   FoundShape found;
   found.why = std::move(why);
   return found;
+}
+
+std::shared_ptr<const mesh::TriangleMesh> drawn_prism(const std::vector<mass::Outline>& outlines,
+                                                      double height) {
+  auto prism = mass::prism_mesh(outlines, height);
+  if (!prism) return nullptr;
+  prism->parts = {{"polyline", {}, 0, prism->triangles.size()}};
+  return std::make_shared<const mesh::TriangleMesh>(std::move(*prism));
 }
 
 std::optional<std::array<double, 2>> two_numbers(const std::optional<read::Text>& text) {
@@ -112,7 +121,7 @@ FoundShape ShapeFinder::outlines(const model::Geometry& geometry, const model::P
     numbers.push_back(HUGE_VAL);  // between two
   }
   return made(
-      {{}, std::move(numbers)}, [&] { return extruded_mesh(outlines, polyline.height.value); },
+      {{}, std::move(numbers)}, [&] { return drawn_prism(outlines, polyline.height.value); },
       "its outline encloses nothing");
 }
 

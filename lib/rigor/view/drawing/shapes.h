@@ -53,10 +53,6 @@ class ShapeMeshes {
 /// Capsules of more different proportions are not drawn: each has a mesh of its own, of 4,000 triangles.
 inline constexpr std::size_t kMaxCapsules = 1000;
 
-/// Outlines within outlines are holes, as `mass::extruded` takes them. Nothing where it finds no solid.
-std::shared_ptr<const mesh::TriangleMesh> extruded_mesh(const std::vector<mass::Outline>& outlines,
-                                                        double height);
-
 /// A heightmap is drawn with so many points along a side: 500,000 triangles. Terrains have up to 2,049.
 inline constexpr std::size_t kMaxHeights = 513;
 
