@@ -45,6 +45,7 @@ set(rigor_public_headers
   rigor/read/mjcf/mjcf_includes.h
   rigor/read/model_config.h
   rigor/read/package_manifest.h
+  rigor/read/parameter/parameter_fault.h
   rigor/read/resolver.h
   rigor/read/template/expanded_file.h
   rigor/read/workspace.h

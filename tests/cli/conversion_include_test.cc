@@ -90,5 +90,35 @@ TEST_F(ConversionCli, ParametersOfAnIncludeThatLeadNowhereAreLost) {
   }
 }
 
+/// `ign sdf -k` of libsdformat 12.3 rejects each of them, with an error of its own.
+TEST_F(ConversionCli, ParametersOfAnIncludeThatAreSkippedAreFindings) {
+  folder.put("models/arm/model.config",
+             "<model><name>arm</name><sdf version='1.9'>model.sdf</sdf></model>");
+  folder.put("models/arm/model.sdf", arm("revolute"));
+  const auto validated = [this](const std::string& parameters) {
+    folder.put("two.sdf",
+               "<sdf version='1.9' xmlns:experimental='e'><model name='two'><include>"
+               "<uri>model://arm</uri><experimental:params>" +
+                   parameters + "</experimental:params></include></model></sdf>");
+    return folder.rigor("validate two.sdf --model-path models --format concise");
+  };
+  EXPECT_EQ(validated("<link element_id='' name='hand' action='add'/>").exit, 0);
+  const Ran exists = validated("<link element_id='' name='tip' action='add'/>");
+  EXPECT_EQ(exists.exit, 1);
+  EXPECT_NE(exists.out.find("parameter <link>: 'tip' already exists in the included model "
+                            "[include-parameter-skipped]"),
+            std::string::npos)
+      << exists.out;
+  const Ran missing = validated("<link element_id='tip'><gravity action='remove'/></link>");
+  EXPECT_EQ(missing.exit, 1);
+  EXPECT_NE(missing.out.find("parameter <gravity> in <link> of 'tip': the <link> in the included "
+                             "model has no such child"),
+            std::string::npos)
+      << missing.out;
+  // What is skipped is not in the model.
+  EXPECT_EQ(folder.rigor("inspect two.sdf --model-path models --format tsv").out.find("hand"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace rigor::test

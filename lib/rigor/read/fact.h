@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/read/parameter/parameter_fault.h>
 #include <rigor/text/span.h>
 
 namespace rigor::read {
@@ -28,7 +29,8 @@ enum class FactKind : std::uint8_t {
   kIncludeHasErrors,  ///< of an included file; `name` is its path, `tried` the first of `count`
   kConfigWithoutSdf,  ///< an included model folder whose model.config names no file
   kMoreAtTopLevel,    ///< a second model, actor or light beside the first; `name` is it
-  kTooMuchIncluded,   ///< the includes bring more parts than rigor holds
+  kParameterSkipped,  ///< of an include; `name` is its element and target, `parameter_fault` says why
+  kTooMuchIncluded,  ///< the includes bring more parts than rigor holds
   kFileTooLarge,
   kFileUnreadable,
 };
@@ -39,7 +41,8 @@ struct Fact {
   std::string name;
   std::vector<std::string> tried;
   std::size_t count = 0;
-  Span related = {};  ///< of kIncludeHasErrors: the first of them, in its file
+  Span related = {};                    ///< of kIncludeHasErrors: the first of them, in its file
+  ParameterFault parameter_fault = {};  ///< of kParameterSkipped; `tried` has the detail
 };
 
 }  // namespace rigor::read

@@ -294,15 +294,8 @@ bool SdfReader::follow(model::Include& include, xml::Element element, Scope scop
   const File* file = open_model(reader_, *found.path, where, facts_);
   if (file == nullptr || !may_follow(include, file->path) || !fits(*file, where)) return false;
   include.path = file->path;
-  const File* includer = element.child("experimental:params") ? file_of(element) : nullptr;
-  if (includer != nullptr) {
-    if (auto bytes = with_include_parameters(*file->document, *includer->document, element).bytes) {
-      // In the same folder, so that what it refers to is found.
-      const std::string path = file->path + '#' + hex(digest_of(*bytes));
-      file = &reader_.workspace.put(path, *std::move(bytes));
-      if (!file->document || !file->document->root()) return false;
-    }
-  }
+  file = with_parameters(*file, element);
+  if (!file->document || !file->document->root()) return false;
 
   const xml::Element top = *file->document->root();
   std::vector<std::string> files = files_;
@@ -330,6 +323,41 @@ bool SdfReader::follow(model::Include& include, xml::Element element, Scope scop
                facts_.end());
   for (std::size_t i = first_fact; i < facts_.size(); ++i) facts_[i].where = where;
   return true;
+}
+
+namespace {
+
+/// The parameter's element name and what it is for: `<visual> of 'base::v'`.
+std::string described_parameter(xml::Element parameter) {
+  const std::string tag = "<" + std::string(parameter.name()) + ">";
+  if (const auto id = parameter.attribute("element_id")) {
+    return id->value().empty() ? tag : tag + " of '" + std::string(id->value()) + "'";
+  }
+  const auto parent = parameter.parent();
+  if (!parent || parent->name() == "experimental:params") return tag;
+  return tag + " in " + described_parameter(*parent);
+}
+
+}  // namespace
+
+/// The included file as the parameters of the include change it.
+const File* SdfReader::with_parameters(const File& file, xml::Element include) {
+  const File* includer = include.child("experimental:params") ? file_of(include) : nullptr;
+  if (includer == nullptr) return &file;
+  IncludeChanges changes =
+      with_include_parameters(*file.document, *includer->document, include, reader_.sdf);
+  for (const SkippedParameter& skipped : changes.skipped) {
+    Fact fact{FactKind::kParameterSkipped,
+              skipped.element.name_span(),
+              described_parameter(skipped.element),
+              {skipped.detail}};
+    fact.parameter_fault = skipped.fault;
+    facts_.push_back(std::move(fact));
+  }
+  if (!changes.bytes) return &file;
+  // In the same folder, so that what it refers to is found.
+  const std::string path = file.path + '#' + hex(digest_of(*changes.bytes));
+  return &reader_.workspace.put(path, *std::move(changes.bytes));
 }
 
 bool SdfReader::may_follow(const model::Include& include, const std::string& path) {

@@ -60,6 +60,7 @@ class SdfReader {
   void read_include(xml::Element element, Scope scope);
   const File* file_of(xml::Element element) const;
   bool follow(model::Include& include, xml::Element element, Scope scope);
+  const File* with_parameters(const File& file, xml::Element include);
   bool may_follow(const model::Include& include, const std::string& path);
   void override_model(const model::Include& include, std::uint32_t index);
   void read_frame(xml::Element element, Scope scope);

@@ -26,7 +26,13 @@ void take_overridden(Ledger& ledger, xml::Element model, std::string_view name) 
   if (const auto child = model.child(name)) ledger.take_all(*child, Outcome::kImplied);
 }
 
-/// The model was read with them done, but for what does not exist.
+bool does_not_exist(read::ParameterFault fault) {
+  return fault == read::ParameterFault::kNotFound || fault == read::ParameterFault::kInInclude ||
+         fault == read::ParameterFault::kNotInElement ||
+         fault == read::ParameterFault::kRemovesNothing;
+}
+
+/// The model was read with them done, but for what libsdformat skips.
 void take_parameters(const Source& source, Ledger& ledger, const model::Include& include,
                      const std::string& subject) {
   const xml::Element element = source.documents.element(include.site);
@@ -36,13 +42,14 @@ void take_parameters(const Source& source, Ledger& ledger, const model::Include&
   if (file.bytes) {
     const xml::Document included = xml::parse(*file.bytes, {});
     const auto& document = source.documents.of(element.name_span().source);
-    for (const xml::Element ignored :
-         read::with_include_parameters(included, document, element).ignored) {
-      ledger.lose(read::site_of(ignored),
-                  {.where = ignored.name_span(),
+    const auto changes = read::with_include_parameters(included, document, element, source.schema);
+    for (const read::SkippedParameter& skipped : changes.skipped) {
+      ledger.lose(read::site_of(skipped.element),
+                  {.where = skipped.element.name_span(),
                    .subject = subject,
-                   .written = "experimental:params/" + std::string(ignored.name()) +
-                              ", which does not exist,"});
+                   .written = "experimental:params/" + std::string(skipped.element.name()) +
+                              (does_not_exist(skipped.fault) ? ", which does not exist,"
+                                                             : ", which libsdformat skips,")});
     }
   }
   ledger.take(*parameters);
