@@ -482,6 +482,34 @@ TEST_F(ConversionCli, FindingsOfOneCauseAreOne) {
   }
 }
 
+/// Which format lacks what is lost, and what to do about a mesh, which all have.
+TEST_F(ConversionCli, WhatIsLostIsSaidOfTheTarget) {
+  folder.put("ball.sdf", arm("ball"));
+  const Ran ball = folder.rigor("sdf2urdf ball.sdf --format concise -o ball.urdf");
+  EXPECT_NE(ball.out.find("error: URDF has no ball joint; with --allow-loss it becomes"),
+            std::string::npos)
+      << ball.out;
+  const std::string plane = "<collision name='c'><geometry><plane/></geometry></collision>";
+  folder.put("plane.sdf", "<sdf version='1.9'><model name='m'><link name='a'><inertial/>" + plane +
+                              "</link></model></sdf>");
+  const Ran flat = folder.rigor("sdf2urdf plane.sdf --format concise -o plane.urdf");
+  EXPECT_NE(flat.out.find("URDF has no plane: the collision is left out"), std::string::npos)
+      << flat.out;
+  const Ran mjcf = folder.rigor("sdf2mjcf plane.sdf --format concise -o plane.xml");
+  EXPECT_NE(mjcf.out.find("MJCF has no plane on a moving body"), std::string::npos) << mjcf.out;
+
+  folder.put("mesh.urdf",
+             "<robot name='r'><link name='a'><visual><geometry><mesh/></geometry>"
+             "</visual></link></robot>");
+  const Ran mesh = folder.rigor("urdf2sdf mesh.urdf -o mesh.sdf");
+  EXPECT_NE(mesh.out.find("the mesh is left out: SDF needs it as a file"), std::string::npos)
+      << mesh.out;
+  EXPECT_NE(mesh.out.find("name the mesh file in the source"), std::string::npos) << mesh.out;
+  for (const Ran& ran : {ball, flat, mjcf, mesh}) {
+    EXPECT_EQ(ran.out.find("in the target"), std::string::npos) << ran.out;
+  }
+}
+
 /// What stood in comments, in its shape, and without the banner of what made the file.
 TEST_F(ConversionCli, CommentsAreThoseOfTheAuthor) {
   folder.put("c.urdf",

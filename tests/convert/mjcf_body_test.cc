@@ -130,6 +130,30 @@ TEST(MjcfBody, ImpossibleInertiaOfAFixedLinkIsPartOfItsParent) {
   EXPECT_EQ(robot.notes(NoteKind::kMjcfInertiaMoved).size(), 1U);
 }
 
+/// As urdf2sdf has it: what Bullet takes, and an error until the loss is accepted.
+TEST(MjcfBody, AnInertiaWithoutIxyHasItZero) {
+  const std::string urdf =
+      "<robot name='r'><link name='base'><inertial><mass value='1'/><inertia ixx='1' ixy='0' "
+      "ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link><link name='tip'><inertial>"
+      "<origin xyz='0 0 0.5'/><mass value='2'/><inertia ixx='0.3' ixz='0' iyy='0.2' iyz='0' "
+      "izz='0.4'/></inertial></link><joint name='j' type='continuous'><parent link='base'/>"
+      "<child link='tip'/><axis xyz='0 0 1'/></joint></robot>";
+  const MjcfConverted refused(urdf);
+  ASSERT_EQ(refused.errors().size(), 1U);
+  EXPECT_TRUE(refused.errors()[0].starts_with("convert-inertia-incomplete: "))
+      << refused.errors()[0];
+  const MjcfConverted robot(urdf, {}, author::Losses::kAllowed);
+  EXPECT_TRUE(robot.notes(NoteKind::kMjcfMassless).empty());
+  ASSERT_EQ(robot.all("inertial").size(), 2U);
+  const xml::Element tip = robot.all("inertial").at(1);
+  EXPECT_EQ(MjcfConverted::attribute(tip, "mass"), "2");
+  EXPECT_EQ(MjcfConverted::attribute(tip, "pos"), "0 0 0.5");
+  EXPECT_EQ(MjcfConverted::attribute(tip, "diaginertia"), "0.3 0.2 0.4");
+  const auto told = robot.notes(NoteKind::kInertiaIncomplete);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].written, "ixy");
+}
+
 TEST(MjcfBody, SeveralModelsOfAWorldAreOneFile) {
   const auto box = [](const std::string& name, const std::string& pose) {
     return "<model name='" + name + "'><pose>" + pose + "</pose>" +

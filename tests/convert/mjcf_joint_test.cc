@@ -82,6 +82,42 @@ TEST(MjcfJoint, JointsOfSeveralDegreesAreJointsOfOneBody) {
   EXPECT_EQ(ball.errors(), std::vector<std::string>());
 }
 
+std::string spherical_arm(const std::string& rest) {
+  const auto link = [](const std::string& name) {
+    return "<link name='" + name +
+           "'><inertial><mass value='1'/><inertia ixx='0.1' ixy='0' ixz='0' iyy='0.1' iyz='0' "
+           "izz='0.1'/></inertial></link>";
+  };
+  return "<robot name='r'>" + link("base") + link("tip") +
+         "<joint name='j' type='spherical'><parent link='base'/><child link='tip'/>"
+         "<origin xyz='0 0 1'/>" +
+         rest + "</joint></robot>";
+}
+
+TEST(MjcfJoint, SphericalJointOfBulletsUrdfIsABall) {
+  const MjcfConverted arm(spherical_arm(""));
+  ASSERT_EQ(arm.errors(), std::vector<std::string>());
+  EXPECT_EQ(arm.attribute("joint", "j", "type"), "ball");
+  EXPECT_EQ(arm.attribute("body", "tip", "pos"), "0 0 1");
+  EXPECT_EQ(arm.named("joint", "j").parent(), arm.named("body", "tip"));
+  // A free root and a ball: seven numbers and four.
+  EXPECT_EQ(arm.attribute("key", "home", "qpos"), "0 0 0 1 0 0 0 1 0 0 0");
+  const auto told = arm.notes(NoteKind::kJointDialect);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].written, "spherical");
+  EXPECT_EQ(told[0].instead, "ball");
+}
+
+TEST(MjcfJoint, SphericalJointHasNoAxis) {
+  const MjcfConverted arm(spherical_arm("<axis xyz='0 0 1'/><foo/>"));
+  ASSERT_EQ(arm.errors(), std::vector<std::string>());
+  EXPECT_EQ(arm.attribute("joint", "j", "axis"), "(none)");
+  const auto idle = arm.notes(NoteKind::kIdle);
+  ASSERT_EQ(idle.size(), 1U);
+  EXPECT_EQ(idle[0].written, "axis of a spherical joint");
+  EXPECT_EQ(arm.notes(NoteKind::kMjcfLost).size(), 1U) << "foo";
+}
+
 /// SDF 1.9: `<thread_pitch>` is rad/m of a left-handed thread, so a turn by 1 rad moves by -1/pitch.
 TEST(MjcfJoint, ScrewSlidesWithItsTurn) {
   const MjcfConverted arm(two_links("screw", "<thread_pitch>-4</thread_pitch>" + mjcf_axis("")));

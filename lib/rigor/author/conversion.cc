@@ -335,7 +335,7 @@ class Conclusion {
   template <class Prove>
   Conversion of(Conversion result, Result format, const Prove& prove) {
     const rules::Runner runner = runner_for(result);
-    find(runner, result);
+    find(runner, result, format == Result::kSdf ? "SDF" : "URDF");
     if (result.text && options_.proof == Proof::kVerify && format == Result::kSdf) {
       SdfJudge judge(environment_, sources_, workspace_, loaded_);
       result.diagnostics.take(
@@ -353,10 +353,10 @@ class Conclusion {
     return result;
   }
 
-  /// The same of a result with a proof of its own: what that has found.
+  /// The same of a result in MJCF, with a proof of its own: what that has found.
   Conversion proved(Conversion result, const Notes& proof) {
     const rules::Runner runner = runner_for(result);
-    find(runner, result);
+    find(runner, result, "MJCF");
     if (!result.text || options_.proof != Proof::kVerify) return result;
     result.diagnostics.take(runner.run(environment_, sources_, loaded_, proof));
     result.diagnostics.sort();
@@ -372,7 +372,8 @@ class Conclusion {
     return rules::Runner(environment_.registry, selection_of(options, environment_.registry));
   }
 
-  void find(const rules::Runner& runner, Conversion& result) const {
+  void find(const rules::Runner& runner, Conversion& result, std::string_view target) const {
+    for (Note& note : result.account.notes) note.target = target;
     result.diagnostics = runner.run(environment_, sources_, loaded_, result.account.notes);
     const auto& document = loaded_.file->document;
     if (document) {

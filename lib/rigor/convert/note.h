@@ -167,6 +167,7 @@ struct Note {
   std::string written;    ///< what the source says, in short: a value, a name, "universal"
   std::string instead;    ///< what the target says; empty when it says nothing
   std::size_t count = 1;  ///< elements and attributes that it refers to
+  std::string target = {};  ///< "URDF", "SDF" or "MJCF", in the account of a finished conversion
 };
 
 using Notes = std::vector<Note>;

@@ -43,6 +43,9 @@ constexpr std::string_view kInLinkAxes[] = {"hydrodynamics"};
 /// In names of parameters whose text is no link, though it may equal the name of one.
 constexpr std::string_view kNamesOfOthers[] = {"joint", "topic", "namespace", "service", "model"};
 
+/// In names of parameters for joints whose text is no joint: `joint_topic`.
+constexpr std::string_view kNamesBesideJoints[] = {"topic", "namespace", "service"};
+
 /// In names of parameters whose numbers are in no frame.
 constexpr std::string_view kFrameless[] = {"color", "ambient", "diffuse", "specular", "emissive"};
 
@@ -171,6 +174,37 @@ class PluginRewriter {
     return std::nullopt;
   }
 
+  /// Those of the joints that a parameter names which the result lacks: "hinge, wrist".
+  std::string lost_joints_in(std::string_view parameter, const std::string& value) const {
+    std::string lost;
+    if (names_.lost_joints.empty() || !names_joint(parameter)) return lost;
+    if (has_one_of(parameter, kNamesBesideJoints)) return lost;
+    constexpr std::string_view kBetween = ", \t\r\n";
+    std::size_t end = 0;
+    for (std::size_t at = value.find_first_not_of(kBetween); at != std::string::npos;
+         at = value.find_first_not_of(kBetween, end)) {
+      end = std::min(value.find_first_of(kBetween, at), value.size());
+      const std::string name = value.substr(at, end - at);
+      if (is_lost_joint(name)) lost += (lost.empty() ? "" : ", ") + name;
+    }
+    return lost;
+  }
+
+  bool is_lost_joint(const std::string& value) const {
+    const std::vector<Reading> all = readings(value);
+    return std::any_of(all.begin(), all.end(), [&](const Reading& reading) {
+      return names_.lost_joints.contains(reading.name);
+    });
+  }
+
+  /// Whether that is so; the text stays as it is then.
+  bool tell_lost_joints(std::string_view parameter, const std::string& value, Span where) {
+    std::string lost = lost_joints_in(parameter, value);
+    if (lost.empty()) return false;
+    text_.remarks.push_back({PluginRemark::Kind::kNoJoint, where, std::move(lost), {}});
+    return true;
+  }
+
   /// `<link name='wing'>` and `<link><name>wing</name></link>` name a link as `<link>wing</link>` does.
   static std::string_view parameter_of(std::string_view name, xml::Element owner) {
     return name == "name" ? owner.name() : name;
@@ -253,6 +287,7 @@ class PluginRewriter {
   void attributes(xml::Element element, const FrameScope& scope) {
     each_attribute(element, [&](std::string_view parameter, xml::Attribute attribute) {
       const std::string value(read::trimmed(attribute.value()));
+      if (tell_lost_joints(parameter, value, attribute.value_span())) return;
       if (const auto name = new_name(parameter, value); name && *name != value) {
         text_.layout.replacements.push_back({attribute.value_span(), xml::escaped(*name)});
         text_.remarks.push_back({PluginRemark::Kind::kRenamed, attribute.value_span(),
@@ -266,7 +301,7 @@ class PluginRewriter {
   void leaf(xml::Element element, std::string_view parameter, const FrameScope& scope,
             Offsets& offsets) {
     const std::string value = leaf_value(element);
-    if (value.empty()) return;
+    if (value.empty() || tell_lost_joints(parameter, value, element.text_span())) return;
     if (const auto name = new_name(parameter, value); name && *name != value) {
       replace(element, *name, PluginRemark::Kind::kRenamed);
     } else {

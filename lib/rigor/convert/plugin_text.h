@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct PluginNames {
   std::string model;  ///< of the source: what comes before `::` in "arm::wing" for the link `wing`
   /// Names of the source → those of the result, where they differ.
   std::map<std::string, std::string, std::less<>> links, joints;
+  /// Joints of the source that are none in the result, such as one that fixed a link which became a frame.
+  std::set<std::string, std::less<>> lost_joints = {};
   /// A link's frame that is elsewhere in the result, or that another link holds.
   struct Moved {
     std::string link;  ///< of the result, in whose frame the plugin speaks then
@@ -39,9 +42,10 @@ struct PluginNames {
 
 struct PluginRemark {
   enum class Kind : std::uint8_t {
-    kRenamed,     ///< a reference names what the result has
-    kRewritten,   ///< a place or direction is expressed in the frame that the result has
-    kLeftInFrame  ///< numbers that may be meant in the old frame stand as they were
+    kRenamed,      ///< a reference names what the result has
+    kRewritten,    ///< a place or direction is expressed in the frame that the result has
+    kLeftInFrame,  ///< numbers that may be meant in the old frame stand as they were
+    kNoJoint       ///< `written` are names of joints that the result lacks; they stand as they were
   };
   Kind kind = Kind::kRenamed;
   Span where;
@@ -61,7 +65,8 @@ struct PluginPlace {
 };
 
 /// A link is named by a parameter for links or in any other way: as text or attribute, plain or with
-/// its model's name before it.
+/// its model's name before it. A joint is named by a parameter whose name holds "joint", or by text with a
+/// model's name before it; such a parameter may name several, with spaces or commas between.
 ///
 /// Rewritten in a frame that moved are what consumers are known to read in the link's frame: `cp`,
 /// `forward` and `upward` of LiftDrag, `center_of_volume` of Buoyancy, `xyzOffset` and `rpyOffset`

@@ -5,7 +5,8 @@
 //
 // The URDF link frame is the SDF joint frame (of the root link: its own), so everything in a link is
 // moved by the pose of the SDF link in its joint. Nested models are flattened (`arm::palm` becomes
-// `arm__palm`); frames become links on fixed joints; what URDF has no word for rides in `<gazebo>`
+// `arm__palm`); frames become links on fixed joints, and a frame that is what a conversion from
+// URDF leaves of a fixed joint gives its name to that joint; what URDF has no word for rides in `<gazebo>`
 // blocks where Gazebo reads it back, and is in the account.
 //
 //   UrdfConversion result = sdf_to_urdf(source, {});

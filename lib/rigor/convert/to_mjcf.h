@@ -18,12 +18,13 @@
 // | revolute, prismatic           | `hinge`, `slide`; `range` where the file has limits             |
 // | universal, revolute2, planar  | two or three joints of one body, in their order                |
 // | ball, floating                | `ball`, `freejoint`                                            |
+// | spherical, of Bullet's URDF   | `ball`                                                         |
 // | screw                         | `hinge` and `slide`, coupled by an `equality`                  |
 // | mimic                         | `equality/joint`, follower = offset + multiplier · leader      |
 // | a joint that closes a loop    | `connect` (two for a hinge), `weld`                            |
 // | effort                        | the range of the joint's `actuator`                             |
 // | damping, friction, spring     | `damping`, `frictionloss`, `stiffness` and `springref`         |
-// | tensor                        | `diaginertia` about the principal axes                         |
+// | tensor                        | `diaginertia` about the principal axes; what a URDF's lacks is 0 |
 // | a material, a texture         | `rgba`; `material` and `texture`, a PNG in `assets/`            |
 // | a mesh of several materials   | one mesh and geom for each, as STL, or as OBJ with a texture    |
 

@@ -6,7 +6,11 @@
 // Each joint stands where its origin says, relative to its parent link, and each link in its joint, so
 // that every number keeps its author's digits. No mass is lost and none is made up: SDF would give a
 // link without an inertial 1 kg, so one that is fixed to another becomes a frame of it, by the same
-// name, and one that moves gets next to nothing.
+// name, and one that moves gets next to nothing. The joint that fixed it becomes a frame, too: a plugin that
+// names it is in the account.
+//
+// What `<gazebo>` blocks hold is written as libsdformat reads it. SDF with its values in attributes,
+// `<update_rate value="30"/>`, is empty to libsdformat, so it is lost.
 //
 //   SdfConversion result = urdf_to_sdf(source, {});
 //   if (result.robot) write(sdf_text(*result.robot));

@@ -71,8 +71,11 @@ class XmlLayout {
 
   void next() {
     if (token().begin == old_pose_.begin && !old_pose_.nowhere()) {
-      while (at_ < document_.tokens().size() && token().begin < old_pose_.end) ++at_;
+      skip_to(old_pose_.end);
       return line(*changes_.pose);
+    }
+    for (const Span removed : changes_.removed) {
+      if (token().begin == removed.begin) return skip_to(removed.end);
     }
     const Token& here = token();
     const std::string text = changed(here.begin, here.end);
@@ -91,6 +94,10 @@ class XmlLayout {
         break;
     }
     ++at_;
+  }
+
+  void skip_to(std::uint32_t end) {
+    while (at_ < document_.tokens().size() && token().begin < end) ++at_;
   }
 
   void start_tag(const Token& tag) {

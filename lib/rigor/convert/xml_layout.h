@@ -26,6 +26,7 @@ struct LayoutChanges {
   std::optional<std::string>
       pose;  ///< takes the place of the element's `<pose>`, or is its first child
   std::vector<Replacement> replacements;
+  std::vector<Span> removed;       ///< elements inside that are left out
   std::vector<std::string> added;  ///< elements that become its first children, a line each
 };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include <rigor/convert/bullet_urdf.h>
 #include <rigor/convert/mjcf/draft.h>
 #include <rigor/convert/urdf/take.h>
 #include <rigor/convert/urdf/tree.h>
@@ -35,6 +36,16 @@ constexpr std::array<std::pair<std::string_view, NoteKind>, 14> kMjcfKinds{
      {"cast_shadows", NoteKind::kMjcfLook},
      {"laser_retro", NoteKind::kMjcfLook}}};
 
+void tell_incomplete_inertia(MjcfDraft& draft, const model::Link& link) {
+  if (!has_incomplete_inertia(link)) return;
+  draft.ledger.note({.kind = NoteKind::kInertiaIncomplete,
+                     .outcome = Outcome::kSubstituted,
+                     .where = link.inertial.tensor_site.name,
+                     .subject = model::subject(draft.root(), link),
+                     .written = missing_entries(link.inertial),
+                     .instead = "0"});
+}
+
 void take_mjcf_link(MjcfDraft& draft, const model::Link& link) {
   Ledger& ledger = draft.ledger;
   ledger.take(link.site);
@@ -43,6 +54,7 @@ void take_mjcf_link(MjcfDraft& draft, const model::Link& link) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.written) return;
   if (draft.root().format == model::Format::kUrdf) {
+    tell_incomplete_inertia(draft, link);
     ledger.take_all(inertial.site);
     return;
   }
@@ -137,6 +149,23 @@ void take_urdf_robot(MjcfDraft& draft) {
   take_drives(draft, root.ros2_controls);
 }
 
+/// Without limits and dynamics, as `urdf_to_sdf` takes it.
+void take_spherical(MjcfDraft& draft, const model::Joint& joint) {
+  const std::string subject = model::subject(draft.root(), joint);
+  draft.ledger.take(joint.type_name, Outcome::kSubstituted);
+  draft.ledger.note({.kind = NoteKind::kJointDialect,
+                     .outcome = Outcome::kSubstituted,
+                     .where = joint.type_name.span,
+                     .subject = subject,
+                     .written = joint.type_name.value,
+                     .instead = "ball"});
+  const xml::Element element = draft.source.source.documents.element(joint.site);
+  for (const char* name : {"axis", "limit", "dynamics", "joint_properties", "mimic"}) {
+    const auto idle = element.child(name);
+    if (idle) draft.ledger.pass_over(*idle, subject, std::string(name) + " of a spherical joint");
+  }
+}
+
 }  // namespace
 
 void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint) {
@@ -148,12 +177,15 @@ void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint) {
   ledger.take(joint.child);
   take_pose(draft.source.source, ledger, joint.pose);
   const xml::Element element = draft.source.source.documents.element(joint.site);
+  const bool spherical = draft.root().format == model::Format::kUrdf && is_spherical(joint);
+  if (spherical) take_spherical(draft, joint);
   if (draft.root().format == model::Format::kUrdf) {
     ledger.take_all(joint.pose.site);
     for (const std::string_view name : {"parent", "child", "dynamics"}) {
       if (const auto child = element.child(name)) ledger.take(*child);
     }
   }
+  if (spherical) return;
   ledger.take(joint.thread_pitch);
   ledger.take(joint.screw_thread_pitch);
   const bool fixed = joint.type == model::JointType::kFixed;

@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
+#include <rigor/convert/bullet_urdf.h>
+#include <rigor/convert/mjcf/draft.h>
 #include <rigor/mass/nearest.h>
+#include <rigor/mass/resolve.h>
 #include <rigor/robot/lumping.h>
 #include <rigor/write/unique_names.h>
 
@@ -47,12 +51,13 @@ std::map<std::string, std::string> lumped(const Robot& robot) {
 class MjcfAssembler {
  public:
   MjcfAssembler(const MjcfSource& source, const MjcfOptions& options)
-      : source_(source), options_(options) {}
+      : source_(source), options_(options), entities_(source.source.root) {}
 
   MjcfAssembly assemble(const std::vector<model::Id<model::Model>>& models) {
     for (std::uint32_t i = 0; i < models.size(); ++i) {
       Robot robot =
           robot_of(source_.source.root, source_.source.frames, models[i], source_.lookups);
+      if (source_.source.root.format == model::Format::kUrdf) read_as_bullet(robot);
       const bool fixes = robot.is_static.value_or(false) || options_.base == MjcfBase::kWorld;
       result_.any_static |= robot.is_static.value_or(false);
       if (robot.is_static.value_or(false)) freeze(robot);
@@ -66,6 +71,33 @@ class MjcfAssembler {
   }
 
  private:
+  void read_as_bullet(Robot& robot) const {
+    for (robot::Joint& joint : robot.joints) {
+      const model::Joint* source = entities_.joint(joint.span);
+      if (source == nullptr || !is_spherical(*source)) continue;
+      joint.type = JointType::kBall;
+      joint.axes = ball_axes();
+    }
+    for (robot::Body& body : robot.bodies) {
+      const model::Link* link = entities_.link(body.span);
+      if (link == nullptr || !has_incomplete_inertia(*link)) continue;
+      const model::Inertial& inertial = link->inertial;
+      body.mass = mass::transformed(inertial.pose.pose.value,
+                                    {inertial.mass.value, {}, mass::tensor(inertial)});
+    }
+  }
+
+  /// As a robot has them of a ball: yaw, pitch and roll, without limits.
+  static std::vector<robot::Axis> ball_axes() {
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
+    std::vector<robot::Axis> axes;
+    for (const model::Vector3& d : {model::Vector3{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}) {
+      axes.push_back({.direction = d, .lower = -kEndless, .upper = kEndless});
+      axes.back().effort = axes.back().velocity = kEndless;
+    }
+    return axes;
+  }
+
   /// Whatever its joints are, a static model does not move.
   static void freeze(Robot& robot) {
     for (robot::Joint& joint : robot.joints) {
@@ -191,6 +223,7 @@ class MjcfAssembler {
 
   const MjcfSource& source_;
   const MjcfOptions& options_;
+  MjcfEntities entities_;
   MjcfAssembly result_;
   robot::Body world_;
   write::UniqueNames body_names_, joint_names_;

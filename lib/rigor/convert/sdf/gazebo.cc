@@ -13,6 +13,7 @@
 #include <rigor/convert/plugin_text.h>
 #include <rigor/convert/sdf/control.h>
 #include <rigor/convert/sdf/draft.h>
+#include <rigor/convert/sdf/ignored_value.h>
 #include <rigor/convert/xml_layout.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
@@ -80,20 +81,26 @@ void set_at(std::vector<SdfElement>& elements, std::string_view path, std::strin
   elements = std::move(all.children);
 }
 
+/// Elements of SDF that libsdformat copies: no keys of its own, though they set what a key sets.
+constexpr std::string_view kCopiedKeys[] = {"gravity", "self_collide"};
+
 /// `<mu1 value="0.2"/>` or `<mu1>0.2</mu1>`; of both libsdformat takes the attribute.
 std::string_view value_of_key(xml::Element element) {
   const auto attribute = element.attribute("value");
-  return read::trimmed(attribute ? attribute->value() : element.text());
+  const bool reads_it = attribute && !is_among(kCopiedKeys, element.name());
+  return read::trimmed(reads_it ? attribute->value() : element.text());
 }
 
 /// Elements are as deep as the file, at most xml::kMaxDepth.
-SdfElement tree_of(xml::Element element) {
+SdfElement tree_of(xml::Element element, const IgnoredValues& ignored) {
   SdfElement tree{.name = std::string(element.name()),
                   .text = std::string(read::trimmed(element.text()))};
   for (const xml::Attribute attribute : element.attributes()) {
-    tree.attributes.emplace_back(attribute.name(), attribute.value());
+    if (!ignored.has(attribute)) tree.attributes.emplace_back(attribute.name(), attribute.value());
   }
-  for (const xml::Element child : element.children()) tree.children.push_back(tree_of(child));
+  for (const xml::Element child : element.children()) {
+    if (!ignored.has(child)) tree.children.push_back(tree_of(child, ignored));
+  }
   return tree;
 }
 
@@ -185,15 +192,38 @@ class BlockConverter {
       const char* name = child.name() == "static" ? "static" : "self_collide";
       put(draft_.robot.settings, {.name = name, .text = std::string(value(child))});
     } else {
-      draft_.robot.raw.push_back(as_it_stands(child));
+      add_copied(draft_.robot.raw, child, "model");
     }
     ledger_.take_all(child);
   }
 
+  /// What libsdformat copies, as it stands but for what it ignores then: that is lost.
+  void add_copied(std::vector<std::string>& raw, xml::Element child, std::string_view parent,
+                  std::optional<std::string> pose = {}) {
+    const IgnoredValues ignored = lose_ignored(child, parent);
+    if (ignored.has(child)) return;
+    raw.push_back(as_it_stands(child, ignored, std::move(pose)));
+  }
+
+  IgnoredValues lose_ignored(xml::Element child, std::string_view parent) {
+    IgnoredValues ignored = ignored_values(child, parent, {draft_.robot.version});
+    ignored.lose(ledger_, subject_in(parent));
+    return ignored;
+  }
+
+  std::string subject_in(std::string_view parent) const {
+    const model::Root& root = draft_.source.root;
+    if (parent == "link") return model::subject(root, root[link_]);
+    if (parent == "joint") return model::subject(root, root[joint_]);
+    return whose();
+  }
+
   /// With the names and frames of the result.
-  std::string as_it_stands(xml::Element child, std::optional<std::string> pose = {}) {
+  std::string as_it_stands(xml::Element child, const IgnoredValues& ignored,
+                           std::optional<std::string> pose) {
     if (child.name() != "plugin") {
       LayoutChanges changes = without_scopes(child);
+      ignored.leave_out(document(), changes);
       changes.pose = std::move(pose);
       in_plugins_of(child, changes);
       return laid_out(document(), child, changes);
@@ -214,16 +244,27 @@ class BlockConverter {
   LayoutChanges changes_in(xml::Element plugin) {
     const std::string own = link_ ? draft_.source.root[link_].name.value : std::string();
     PluginText text = plugin_text(plugin, draft_.plugin_names, {.link = own, .model = {}});
-    for (PluginRemark& remark : text.remarks) {
-      const bool left = remark.kind == PluginRemark::Kind::kLeftInFrame;
-      ledger_.note({.kind = left ? NoteKind::kPluginFrame : NoteKind::kPluginReference,
-                    .outcome = left ? Outcome::kConverted : Outcome::kRewritten,
-                    .where = remark.where,
-                    .subject = whose(),
-                    .written = std::move(remark.written),
-                    .instead = std::move(remark.instead)});
-    }
+    for (PluginRemark& remark : text.remarks) tell(std::move(remark));
     return std::move(text.layout);
+  }
+
+  void tell(PluginRemark remark) {
+    using Kind = PluginRemark::Kind;
+    Note note{
+        .kind =
+            remark.kind == Kind::kLeftInFrame ? NoteKind::kPluginFrame : NoteKind::kPluginReference,
+        .outcome = remark.kind == Kind::kLeftInFrame ? Outcome::kConverted : Outcome::kRewritten,
+        .where = remark.where,
+        .subject = whose(),
+        .written = std::move(remark.written),
+        .instead = std::move(remark.instead)};
+    if (remark.kind == Kind::kNoJoint) {
+      ledger_.take_value(remark.where, Outcome::kLost);
+      note.kind = NoteKind::kUnknown;
+      note.outcome = Outcome::kLost;
+      note.written = "joint " + note.written + ", which a plugin names,";
+    }
+    ledger_.note(std::move(note));
   }
 
   const xml::Document& document() const {
@@ -239,7 +280,7 @@ class BlockConverter {
       if (!joint->axis) return;
       set_at(joint->axis->rest, axis_key->path, value(child));
     } else {
-      joint->raw.push_back(as_it_stands(child));
+      add_copied(joint->raw, child, "joint");
     }
     ledger_.take_all(child);
   }
@@ -265,29 +306,40 @@ class BlockConverter {
     } else if (child.name() == "material" && child.children().empty()) {
       for_own(held->visuals, child, [&](SdfShape& shape) { add_script(shape, value(child)); });
     } else if (child.name() == "visual") {
-      for_own(held->visuals, child, [&](SdfShape& shape) { merge(shape, child); });
+      merge_into_own(held->visuals, child);
     } else if (child.name() == "collision") {
-      for_own(held->collisions, child, [&](SdfShape& shape) { merge(shape, child); });
+      merge_into_own(held->collisions, child);
     } else if (!is_joint_key(child.name())) {
-      held->raw.push_back(as_it_stands(child, pose_in_frame(child, node)));
+      add_copied(held->raw, child, "link", pose_in_frame(child, node));
       ledger_.take_all(child);
     }
   }
 
   /// The holder's shapes that are this link's own.
-  template <class F>
-  void for_own(std::vector<SdfShape>& shapes, xml::Element child, const F& f) {
+  std::vector<SdfShape*> own_of(std::vector<SdfShape>& shapes) const {
     const SdfNode& node = draft_.node(link_);
     const std::string frame = node.role == SdfNode::Role::kFrame ? node.name : std::string();
-    bool any = false;
+    std::vector<SdfShape*> own;
     for (SdfShape& shape : shapes) {
-      if (shape.pose.relative_to != frame) continue;
-      f(shape);
-      any = true;
+      if (shape.pose.relative_to == frame) own.push_back(&shape);
     }
-    if (any) {
+    return own;
+  }
+
+  void merge_into_own(std::vector<SdfShape>& shapes, xml::Element child) {
+    // Without a shape all of it is lost, for another reason.
+    const IgnoredValues ignored =
+        own_of(shapes).empty() ? IgnoredValues{} : lose_ignored(child, "link");
+    for_own(shapes, child, [&](SdfShape& shape) { merge(shape, child, ignored); });
+  }
+
+  template <class F>
+  void for_own(std::vector<SdfShape>& shapes, xml::Element child, const F& f) {
+    const std::vector<SdfShape*> own = own_of(shapes);
+    for (SdfShape* shape : own) f(*shape);
+    if (!own.empty()) {
       ledger_.take_all(child);
-    } else if (&shapes == &draft_.links[node.holder.value]->collisions) {
+    } else if (&shapes == &draft_.links[draft_.node(link_).holder.value]->collisions) {
       without_collision_ += (without_collision_.empty() ? "" : ", ") + std::string(child.name());
       ledger_.take_all(child, Outcome::kLost);
     } else {
@@ -308,10 +360,11 @@ class BlockConverter {
            write::joined({known->diffuse.begin(), known->diffuse.end()}));
   }
 
-  static void merge(SdfShape& shape, xml::Element child) {
+  static void merge(SdfShape& shape, xml::Element child, const IgnoredValues& ignored) {
+    if (ignored.has(child)) return;
     for (const xml::Element part : child.children()) {
-      if (part.name() == "pose" || part.name() == "geometry") continue;
-      put(shape.rest, tree_of(part));
+      if (part.name() == "pose" || part.name() == "geometry" || ignored.has(part)) continue;
+      put(shape.rest, tree_of(part, ignored));
     }
   }
 
@@ -320,7 +373,7 @@ class BlockConverter {
     if (node.role != SdfNode::Role::kFrame || !is_among(kPlaced, child.name())) return std::nullopt;
     const auto pose = child.child("pose");
     const std::string tag = "<pose relative_to=\"" + xml::escaped(node.name) + '"';
-    const std::string_view text = pose ? value(*pose) : std::string_view();
+    const std::string_view text = pose ? read::trimmed(pose->text()) : std::string_view();
     if (pose && pose->attribute("relative_to")) return std::nullopt;
     return text.empty() ? tag + "/>" : tag + '>' + std::string(text) + "</pose>";
   }
@@ -334,7 +387,7 @@ class BlockConverter {
   std::string without_collision_;
 };
 
-PluginNames plugin_names_of(const SdfDraft& draft) {
+PluginNames plugin_names_of(SdfDraft& draft) {
   PluginNames names;
   const model::Root& root = draft.source.root;
   names.model = root.models.front().name.value;
@@ -358,6 +411,7 @@ PluginNames plugin_names_of(const SdfDraft& draft) {
     if (draft.tree.joint_names[i] != name) {
       names.joints.insert_or_assign(name, draft.tree.joint_names[i]);
     }
+    if (draft.joint({i}) == nullptr) names.lost_joints.insert(name);
   }
   return names;
 }

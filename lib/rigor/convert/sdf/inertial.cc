@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/convert/bullet_urdf.h>
 #include <rigor/convert/comments.h>
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/convert/written_number.h>
@@ -88,16 +89,6 @@ Number six_digits(double value) {
   const double scale = std::pow(10, 5 - std::floor(std::log10(std::abs(value))));
   const double rounded = std::round(value * scale) / scale;
   return {std::isfinite(rounded) ? rounded : value, {}};
-}
-
-std::string missing_entries(const model::Inertial& inertial) {
-  static constexpr std::array kNames{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
-  const auto entries = tensor_of(inertial);
-  std::string names;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (!entries[i]->written) names += (names.empty() ? "" : ", ") + std::string(kNames[i]);
-  }
-  return names;
 }
 
 void note_on_inertial(const SdfDraft& draft, NoteKind kind, const Link& link, std::string written,

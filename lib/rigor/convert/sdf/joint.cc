@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include <rigor/convert/bullet_urdf.h>
 #include <rigor/convert/number_text.h>
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/convert/written_number.h>
@@ -56,7 +57,7 @@ class SdfJointConverter {
       case JointType::kPlanar: return planar();
       default: break;
     }
-    if (joint_.type_name.value == "spherical") return ball();
+    if (is_spherical(joint_)) return ball();
     note(NoteKind::kJointTypeLost, Outcome::kSubstituted, joint_.type_name.span,
          joint_.type_name.value, "a fixed joint");
     return fixed();

@@ -251,11 +251,13 @@ class UrdfBuilder {
                  is_identity(places_.X_M(frame));
         });
     if (origin == tree_.frames.end()) return false;
+    const ReferredNames referred = referred_names(root_);
     const auto joint =
         std::find_if(tree_.frames.begin(), tree_.frames.end(), [&](Id<model::Frame> frame) {
+          const bool is_next_to = follows(root_[frame].site, root_[id].site);
           return frame != *origin && is_frame_of_root(frame) && !tree_.fixed_by.contains(frame) &&
                  root_[frame].attached_to.value == root_[id].name.value &&
-                 is_joint_name(root_[frame].name.value) &&
+                 may_be_joint(root_[frame], is_next_to, referred) &&
                  is_identity(compose(inverse(X_ML), places_.X_M(frame)));
         });
     std::string joint_name = name + "_joint";
@@ -277,6 +279,13 @@ class UrdfBuilder {
          model::subject(root_, root_[*origin]), root_[*origin].name.value,
          "the root link " + root + ", which has the pose of link " + name);
     return true;
+  }
+
+  /// Whether no element is between.
+  bool follows(const model::Site& next, const model::Site& first) const {
+    if (next.span.source != first.span.source || next.span.begin < first.span.end) return false;
+    const xml::Document& document = source_.documents.of(next.span.source);
+    return document.element(next.element - 1).span().end <= first.span.end;
   }
 
   void move_link_frame(Id<model::Link> id, const std::string& name, const Pose& X_JL) {
@@ -309,6 +318,8 @@ class UrdfBuilder {
 
   void add_edge(const UrdfTree::Edge& edge) {
     const model::Joint& joint = root_[edge.joint];
+    // Never a frame that the joint names and that is a link without mass now: libsdformat 12.3 drops what
+    // such a link carries (measured), though it lumps the link itself.
     const Pose X_MP = edge.parent ? X_M_frame(edge.parent) : X_M_world();
     const Pose X_MJ = places_.X_M(edge.joint);
     const Pose X_PJ = X_MP == Pose{} ? X_MJ : compose(inverse(X_MP), X_MJ);

@@ -4,6 +4,9 @@
 #include <rigor/convert/urdf/tree.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +20,10 @@ namespace rigor::convert {
 namespace {
 
 using model::Id;
+
+bool is_called_joint(const model::Frame& frame) {
+  return lowered(frame.name.value).find("joint") != std::string::npos;
+}
 
 class UrdfTreeBuilder {
  public:
@@ -64,19 +71,35 @@ class UrdfTreeBuilder {
     return base != nullptr ? *base : Id<model::Frame>{};
   }
 
+  /// As a conversion writes a joint and the link on it. A frame holds a pose at most, and an element's index
+  /// is one more than that of the one before it.
+  bool is_next_to(const model::Frame& first, const model::Frame& second) const {
+    const std::string& base = first.pose.relative_to.value;
+    if (!base.empty() && base != first.attached_to.value) return false;
+    const std::uint32_t next = first.site.element + (first.pose.site.span.nowhere() ? 1 : 2);
+    return first.site.span.source == second.site.span.source && second.site.element == next;
+  }
+
   void find_fixed_joints() {
+    const ReferredNames referred = referred_names(root_);
     std::map<Id<model::Frame>, int> attached;
     for (const Id<model::Frame> id : tree_.frames) {
       if (const Id<model::Frame> base = base_of(id)) ++attached[base];
     }
+    std::set<Id<model::Frame>> on_joints;
     for (const Id<model::Frame> id : tree_.frames) {
       const Id<model::Frame> joint = base_of(id);
-      const model::PoseField& pose = root_[id].pose;
-      if (!joint || attached[joint] != 1 || tree_.fixed_by.contains(joint)) continue;
-      if (!is_joint_name(root_[joint].name.value) || root_[joint].model != root_[id].model)
-        continue;
-      const bool apart = !pose.relative_to.value.empty() || !is_identity(pose.pose.value);
-      if (!apart) tree_.fixed_by.emplace(id, joint);
+      if (!joint || attached[joint] != 1 || on_joints.contains(joint)) continue;
+      const model::Frame& below = root_[joint];
+      const model::Frame& frame = root_[id];
+      const bool apart =
+          !frame.pose.relative_to.value.empty() || !is_identity(frame.pose.pose.value);
+      if (apart || below.model != frame.model) continue;
+      const bool in_place = !is_called_joint(frame) && is_next_to(below, frame);
+      if (!in_place && !is_called_joint(below)) continue;
+      // Joints and links alternate: whatever this joint is called, the next is not on its link's frame.
+      on_joints.insert(id);
+      if (may_be_joint(below, in_place, referred)) tree_.fixed_by.emplace(id, joint);
     }
   }
 
@@ -131,8 +154,33 @@ class UrdfTreeBuilder {
 
 }  // namespace
 
-bool is_joint_name(std::string_view name) {
-  return lowered(name).find("joint") != std::string::npos;
+ReferredNames referred_names(const model::Root& root) {
+  ReferredNames names;
+  const auto add = [&names](Id<model::Model> model, const std::string& name) {
+    if (!name.empty()) names.emplace(model.value, name);
+  };
+  const auto add_places = [&add](const auto& all) {
+    for (const auto& one : all) add(one.model, one.pose.relative_to.value);
+  };
+  add_places(root.links);
+  add_places(root.joints);
+  add_places(root.frames);
+  for (const model::Joint& joint : root.joints) {
+    add(joint.model, joint.parent.value);
+    add(joint.model, joint.child.value);
+  }
+  return names;
+}
+
+bool may_be_joint(const model::Frame& frame, bool is_next_to, const ReferredNames& referred) {
+  if (is_called_joint(frame)) return true;
+  const std::string name = lowered(frame.name.value);
+  const auto holds = [&name](std::string_view word) {
+    return name.find(word) != std::string::npos;
+  };
+  // `base_link_to_camera` is no link.
+  const bool is_called_link = (holds("link") || holds("frame")) && !holds("_to_") && !holds("fix");
+  return is_next_to && !is_called_link && !referred.contains({frame.model.value, frame.name.value});
 }
 
 UrdfTree urdf_tree(const model::Root& root, const model::Frames& frames, Id<model::Model> model) {

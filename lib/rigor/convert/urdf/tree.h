@@ -11,7 +11,9 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/model/frames.h>
@@ -48,14 +50,21 @@ struct UrdfTree {
   std::vector<model::Id<model::Link>> roots;       ///< that neither a joint nor the world carries
   bool on_world = false;                           ///< whether a joint's parent is the world
   /// Frames that are a fixed joint of URDF, by the frame on it: libsdformat and rigor write a link
-  /// without mass as `<frame name="camera_joint">` and `<frame name="camera" attached_to="camera_joint"/>`.
+  /// without mass as `<frame name="camera_joint">` and, next to it, `<frame name="camera"
+  /// attached_to="camera_joint"/>`.
   std::map<model::Id<model::Frame>, model::Id<model::Frame>> fixed_by;
   /// The joint that carries a link, by the link's id; none for roots and other models' links.
   std::vector<model::Id<model::Joint>> carriers;
 };
 
-/// Whether a frame of this name may be what is left of a joint.
-bool is_joint_name(std::string_view name);
+/// Names that joints have as their ends, or that things are placed in, by the model that says so.
+using ReferredNames = std::set<std::pair<std::uint32_t, std::string_view>>;
+ReferredNames referred_names(const model::Root& root);
+
+/// Whether a frame may be what is left of a joint: by a name that holds "joint", or, where it stands next
+/// to what it belongs to, as a conversion writes it, and nothing refers to it, by any name but those of links:
+/// `camera_link`, `optical_frame`.
+bool may_be_joint(const model::Frame& frame, bool is_next_to, const ReferredNames& referred);
 
 UrdfTree urdf_tree(const model::Root& root, const model::Frames& frames,
                    model::Id<model::Model> model);

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/model/model.h>
 #include <rigor/rules/convert/rows.h>
 
 namespace rigor::rules {
@@ -72,17 +73,30 @@ std::string cause_of(const convert::Note& note) {
   }
 }
 
+/// Where the first sentence of the rule's page is about other shapes; else empty.
+std::string help_for(const convert::Note& note, const model::Root& source) {
+  const bool lost =
+      note.kind == convert::NoteKind::kShapeLost || note.kind == convert::NoteKind::kCollisionLost;
+  if (!lost || note.written != "mesh" || !note.instead.empty()) return {};
+  // The meshes of MJCF may be in the model itself, or in formats of its own.
+  return source.format == model::Format::kMjcf
+             ? "write the result with -o: the mesh becomes a file beside it, where it can be read"
+             : "name the mesh file in the source";
+}
+
 void check(const convert::Note& note, Context& context) {
   const bool lost = note.outcome == convert::Outcome::kLost;
   std::string message =
       fmt::format(fmt::runtime(row_of<convert::Note>(note, kTables).message.text(note)),
                   fmt::arg("written", note.written), fmt::arg("instead", note.instead),
                   fmt::arg("count", note.count),
+                  fmt::arg("target", note.target.empty() ? "the target" : note.target),
                   fmt::arg("whereabouts", lost ? "is lost" : "is for Gazebo only"));
   if (lost_several(note)) message += fmt::format(" ({} elements and attributes)", note.count);
   context.report({.where = note.where,
                   .message = std::move(message),
                   .subject = note.subject,
+                  .help = help_for(note, context.root()),
                   .cause = cause_of(note)});
 }
 

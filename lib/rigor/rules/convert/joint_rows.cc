@@ -14,8 +14,7 @@ using convert::NoteKind;
 std::span<const Row> joint_rows() {
   static constexpr Row kRows[] = {
       {.rule = {"convert-joint-type", NoteKind::kJointType, Severity::kError},
-       .message =
-           "there is no {written} joint in the target; with --allow-loss it becomes {instead}",
+       .message = "{target} has no {written} joint; with --allow-loss it becomes {instead}",
        .summary = "the target has no joint of this type: others are substituted",
        .why = "URDF knows fixed, revolute, continuous and prismatic joints (and floating and "
               "planar ones, which most consumers leave out). A universal joint is exactly two "
@@ -26,9 +25,8 @@ std::span<const Row> joint_rows() {
        .message =
            [](const convert::Note& note) {
              return note.instead.empty()
-                        ? "there is no {written} joint in the target, and nothing can replace it"
-                        : "there is no {written} joint in the target, and nothing can replace it: "
-                          "{instead}";
+                        ? "{target} has no {written} joint, and nothing can replace it"
+                        : "{target} has no {written} joint, and nothing can replace it: {instead}";
            },
        .summary = "the target has no such joint, and nothing replaces it",
        .why = "A joint that cannot be converted is omitted or welded: the mechanism moves "
@@ -39,8 +37,8 @@ std::span<const Row> joint_rows() {
        .message = "a {written} joint is Bullet's own: it becomes {instead}",
        .summary = "a joint type that only Bullet's URDF has",
        .why =
-           "URDF has no spherical joint and urdfdom rejects it; Bullet reads it, and SDF has the "
-           "same joint under the name ball.",
+           "URDF has no spherical joint and urdfdom rejects it; Bullet reads it, and SDF and MJCF "
+           "have the same joint under the name ball.",
        .what_to_do = "Nothing, where the robot is for Bullet."},
       {.rule = {"convert-continuous", NoteKind::kContinuous, Severity::kInfo},
        .message = "revolute without limits: continuous in URDF",

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The rules on conversions: a row for each kind of `convert::Note`, in a file for each group of kinds.
-// Their messages may name {written}, {instead} and {count} of the note, and {whereabouts}: "is lost" or
-// "is for Gazebo only".
+// Their messages may name {written}, {instead}, {count} and {target} of the note, and {whereabouts}: "is lost"
+// or "is for Gazebo only".
 
 #pragma once
 

@@ -11,33 +11,35 @@ namespace rigor::rules::conversion {
 
 using convert::NoteKind;
 
+constexpr const char* kShapeLost = "{target} has no {written}: the shape is left out";
+constexpr const char* kCollisionLost = "{target} has no {written}: the collision is left out";
+
+/// The target has meshes and boxes: what is left out of them has a reason of its own.
+const char* lost_shape(const convert::Note& note, const char* if_unknown_to_target) {
+  if (!note.instead.empty()) return "the {written} is left out, as it has no mesh: {instead}";
+  if (note.written == "mesh") return "the mesh is left out: {target} needs it as a file";
+  if (note.written == "none") return "the <geometry> is left out: it has no shape that is known";
+  const bool says_why = note.written.starts_with("mesh") || note.written.ends_with(" of no size");
+  return says_why ? "the {written} is left out" : if_unknown_to_target;
+}
+
 std::span<const Row> shape_rows() {
   static constexpr Row kRows[] = {
       {.rule = {"convert-shape", NoteKind::kShape, Severity::kWarning},
-       .message = "there is no {written} in the target: {instead}",
+       .message = "{target} has no {written}: {instead}",
        .summary = "substituted shape: the target lacks the original",
        .why = "URDF 1.0 has boxes, cylinders, spheres and meshes. A capsule is exactly a cylinder "
               "and two spheres; other shapes become mesh files.",
        .what_to_do = "Nothing where the substitute is exact; else choose a shape that both have."},
       {.rule = {"convert-shape-lost", NoteKind::kShapeLost, Severity::kWarning},
-       .message =
-           [](const convert::Note& note) {
-             return note.instead.empty()
-                        ? "there is no {written} in the target: the shape is left out"
-                        : "the {written} is left out, as it has no mesh: {instead}";
-           },
+       .message = [](const convert::Note& note) { return lost_shape(note, kShapeLost); },
        .summary = "a shape that the target lacks is left out",
        .why = "The link loses what it collides or is seen with. A robot that lost a collision "
               "falls through things.",
        .what_to_do = "Convert with `--shapes mesh`, which writes mesh files, or choose a shape "
                      "that both formats have."},
       {.rule = {"convert-collision-lost", NoteKind::kCollisionLost, Severity::kError},
-       .message =
-           [](const convert::Note& note) {
-             return note.instead.empty()
-                        ? "there is no {written} in the target: the collision is left out"
-                        : "the {written} is left out, as it has no mesh: {instead}";
-           },
+       .message = [](const convert::Note& note) { return lost_shape(note, kCollisionLost); },
        .summary = "a collision whose shape the target lacks is left out",
        .why =
            "What the robot touches and is touched by is another: it falls through the ground, or "
