@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,12 +85,70 @@ TEST(AttachMesh, SaysWhenARoundMeshLiesAcrossTheShape) {
   const auto across = mismatch_of({2, 0.5, 2}, cylinder);
   ASSERT_TRUE(across);
   EXPECT_EQ(across->mesh, Axis::kY);
-  EXPECT_EQ(across->shape, Axis::kZ);
+  EXPECT_EQ(across->expected, Axis::kZ);
   EXPECT_FALSE(mismatch_of({2, 2, 0.5}, cylinder));
   EXPECT_FALSE(mismatch_of({2, 1, 0.5}, cylinder));  // not round
   EXPECT_FALSE(mismatch_of({2, 2, 2}, cylinder));    // about any axis
   EXPECT_TRUE(mismatch_of({0.5, 2, 2}, "<box><size>0.2 0.2 0.9</size></box>"));
   EXPECT_FALSE(mismatch_of({0.5, 2, 2}, "<sphere><radius>1</radius></sphere>"));
+}
+
+/// A prism of sixteen sides, of radius 1 and the length, about y.
+std::vector<mesh::Vector3> wheel_about_y(double length) {
+  std::vector<mesh::Vector3> vertices;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = i * std::numbers::pi / 8;
+    for (const double y : {-length / 2, length / 2}) {
+      vertices.push_back({std::cos(angle), y, std::sin(angle)});
+    }
+  }
+  return vertices;
+}
+
+/// The link that a joint turns about z, with that geometry.
+std::string wheel_sdf(const std::string& geometry, const std::string& pose = "0 0 0 0 0 0",
+                      const std::string& joint_type = "continuous") {
+  return "<sdf version='1.9'><model name='arm'><link name='body'/><link name='base'>"
+         "<visual name='tire'><pose>" +
+         pose + "</pose><geometry>" + geometry +
+         "</geometry></visual></link><joint name='axle' type='" + joint_type +
+         "'><parent>body</parent><child>base</child><axis><xyz>0 0 1</xyz>"
+         "<limit><lower>-1</lower><upper>1</upper></limit></axis></joint></model></sdf>";
+}
+
+std::optional<AxisMismatch> wheel_mismatch(const std::vector<mesh::Vector3>& vertices,
+                                           const std::string& sdf) {
+  const NewMesh mesh{"w/arm/meshes/wheel.stl", mesh::bounds_of(vertices), {1, 1, 1}, vertices};
+  return attached(sdf, "arm::base::tire", mesh).mismatch;
+}
+
+TEST(AttachMesh, AWheelAsWideAsHighIsRoundAboutItsAxis) {
+  const std::string cylinder = "<cylinder><radius>1</radius><length>2</length></cylinder>";
+  const auto across = wheel_mismatch(wheel_about_y(2), wheel_sdf(cylinder));
+  ASSERT_TRUE(across);
+  EXPECT_EQ(across->mesh, Axis::kY);
+  EXPECT_EQ(across->expected, Axis::kZ);
+  EXPECT_EQ(across->joint, "");
+  // A cube of that size is round about no axis.
+  const std::vector<mesh::Vector3> cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
+                                        {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+  EXPECT_FALSE(wheel_mismatch(cube, wheel_sdf(cylinder)));
+}
+
+TEST(AttachMesh, AWheelInPlaceOfWhatHasNoAxisIsComparedWithTheJoint) {
+  const std::string sphere = "<sphere><radius>1</radius></sphere>";
+  const auto across = wheel_mismatch(wheel_about_y(2), wheel_sdf(sphere));
+  ASSERT_TRUE(across);
+  EXPECT_EQ(across->mesh, Axis::kY);
+  EXPECT_EQ(across->expected, Axis::kZ);
+  EXPECT_EQ(across->joint, "axle");
+  EXPECT_TRUE(wheel_mismatch(wheel_about_y(0.5), wheel_sdf(sphere))) << "flat";
+  // By a quarter turn about x the y axis of the shape is along the joint's.
+  EXPECT_FALSE(wheel_mismatch(wheel_about_y(2), wheel_sdf(sphere, "0 0 0 1.5707963 0 0")));
+  EXPECT_FALSE(wheel_mismatch(wheel_about_y(6), wheel_sdf(sphere))) << "a rod that swings";
+  EXPECT_FALSE(wheel_mismatch(wheel_about_y(2), wheel_sdf(sphere, "0 0 0 0 0 0", "revolute")))
+      << "a hinge with limits";
+  EXPECT_FALSE(wheel_mismatch(wheel_about_y(2), wheel_sdf(sphere, "0 0 0 0 0 0", "fixed")));
 }
 
 /// That the rotation brings the one axis onto the other: roll, pitch and yaw of a quarter turn, by hand.

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <limits>
+#include <span>
 #include <utility>
 #include <variant>
 
 #include <rigor/author/shape_names.h>
-#include <rigor/mass/mesh/facts.h>
+#include <rigor/mesh/read.h>
+#include <rigor/model/frames.h>
 #include <rigor/model/subject.h>
 #include <rigor/schema/suggest.h>
 #include <rigor/write/numbers.h>
@@ -48,11 +52,56 @@ Vector3 middle_of(const NewMesh& mesh) {
   return {mesh.scale.x * middle.x, mesh.scale.y * middle.y, mesh.scale.z * middle.z};
 }
 
-/// Sides of the bounds, m; zeros of a mesh without triangles.
-Vector3 scaled_size(const mesh::Bounds& bounds, const Vector3& scale) {
-  if (!(bounds.min.x <= bounds.max.x)) return {};
+std::vector<Vector3> scaled(std::span<const Vector3> vertices, const Vector3& scale) {
+  std::vector<Vector3> result;
+  result.reserve(vertices.size());
+  for (const Vector3& v : vertices) result.push_back({scale.x * v.x, scale.y * v.y, scale.z * v.z});
+  return result;
+}
+
+/// The mesh's, or the corners of its bounds where it has none: then the size of the bounds tells what it can.
+std::vector<Vector3> scaled_vertices(const NewMesh& mesh) {
+  if (!mesh.vertices.empty()) return scaled(mesh.vertices, mesh.scale);
+  const mesh::Bounds& b = mesh.bounds;
+  if (!(b.min.x <= b.max.x)) return {};
+  std::vector<Vector3> corners;
+  for (const double x : {b.min.x, b.max.x}) {
+    for (const double y : {b.min.y, b.max.y}) {
+      for (const double z : {b.min.z, b.max.z}) corners.push_back({x, y, z});
+    }
+  }
+  return scaled(corners, mesh.scale);
+}
+
+double coordinate(const Vector3& v, Axis axis) {
+  return axis == Axis::kX ? v.x : axis == Axis::kY ? v.y : v.z;
+}
+
+/// How long the part is along the axis, compared with what it measures across.
+double slenderness(const std::vector<Vector3>& vertices, Axis axis) {
+  const mesh::Bounds bounds = mesh::bounds_of(vertices);
   const Vector3 size = bounds.max - bounds.min;
-  return {std::abs(scale.x) * size.x, std::abs(scale.y) * size.y, std::abs(scale.z) * size.z};
+  const double along = coordinate(size, axis);
+  const double across = axis == Axis::kX ? size.y : size.x;
+  return across > 0 ? along / across : std::numeric_limits<double>::infinity();
+}
+
+/// The axis of the frame that the unit vector is along, one way or the other, to some degrees.
+std::optional<Axis> axis_along(const Vector3& direction) {
+  constexpr double kParallel = 0.996;  // cos 5°
+  for (const Axis axis : {Axis::kX, Axis::kY, Axis::kZ}) {
+    if (std::abs(coordinate(direction, axis)) > kParallel) return axis;
+  }
+  return std::nullopt;
+}
+
+/// Round and round, as a wheel does: a hinge with limits may bend a part that is round about another axis.
+bool turns_freely(const model::Joint& joint) {
+  if (joint.type == model::JointType::kContinuous) return true;
+  if (joint.type != model::JointType::kRevolute || joint.axes.empty()) return false;
+  constexpr double kManyTurns = 100;  // rad
+  const model::Axis& axis = joint.axes.front();
+  return !axis.limit_written || axis.upper.value - axis.lower.value > kManyTurns;
 }
 
 std::string mesh_text(const std::string& uri, const Vector3& scale, PoseForm form) {
@@ -163,7 +212,7 @@ class Attacher {
       if (!pose) return AttachProblem::kPose;
       append(result_.edits, *std::move(pose));
     }
-    compare_axes(part.geometry.shape);
+    compare_axes(part);
     NewUri named = new_uri(resolver_, root_.format, file_.path, mesh_.path);
     append(result_.edits,
            geometry_edits(*file_.document, element, mesh_text(named.uri, mesh_.scale, form), form));
@@ -178,16 +227,49 @@ class Attacher {
     if (old == nullptr) return round_axis(shape);
     const auto found = resolver_.resolve(old->uri.value, file_.path).path;
     if (!found) return std::nullopt;
-    const mass::MeshFacts facts =
-        mass::mesh_facts(environment_.disk, *found, mass::MeshDepth::kFile, environment_.workers);
-    if (!facts.usable()) return std::nullopt;
-    return round_axis(scaled_size(facts.bounds, old->scale.value));
+    const mesh::LoadedMesh loaded =
+        mesh::read_mesh(environment_.disk, *found, environment_.workers);
+    if (!loaded.usable()) return std::nullopt;
+    return round_axis(scaled(loaded.mesh.positions, old->scale.value));
   }
 
-  void compare_axes(const model::Shape& shape) {
-    const std::optional<Axis> now = round_axis(scaled_size(mesh_.bounds, mesh_.scale));
-    const std::optional<Axis> before = now ? axis_of(shape) : std::nullopt;
-    if (before && before != now) result_.mismatch = {*now, *before};
+  template <class Part>
+  void compare_axes(const Part& part) {
+    // A rod may swing about any axis; what is as wide as high, or flat, is a wheel, a rotor, a pulley.
+    constexpr double kLongestWheel = 1.2;
+    const std::vector<Vector3> vertices = scaled_vertices(mesh_);
+    const std::optional<Axis> now = round_axis(vertices);
+    if (!now) return;
+    if (const std::optional<Axis> before = axis_of(part.geometry.shape)) {
+      if (before != now) result_.mismatch = {*now, *before};
+    } else if (slenderness(vertices, *now) <= kLongestWheel) {
+      compare_with_joint(part, *now);
+    }
+  }
+
+  template <class Part>
+  void compare_with_joint(const Part& part, Axis now) {
+    const model::Frames frames(root_);
+    const auto& siblings = parts_like(part);
+    const model::Id<Part> id{static_cast<std::uint32_t>(&part - siblings.data())};
+    const auto pose = frames.pose(id);
+    for (std::uint32_t i = 0; pose && i < root_.joints.size(); ++i) {
+      const model::Id<model::Joint> joint{i};
+      if (frames.ends(joint).child != part.link || !turns_freely(root_[joint])) continue;
+      const auto direction = frames.axis(joint, 0);
+      if (!direction) continue;
+      const auto expected = axis_along(rotate(conjugate(pose->rotation), *direction));
+      if (expected && expected != now) {
+        result_.mismatch = {now, *expected, root_[joint].name.value};
+      }
+    }
+  }
+
+  const std::vector<model::Collision>& parts_like(const model::Collision& /*part*/) const {
+    return root_.collisions;
+  }
+  const std::vector<model::Visual>& parts_like(const model::Visual& /*part*/) const {
+    return root_.visuals;
   }
 
   const Environment& environment_;

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,8 @@ struct NewMesh {
   std::string path;     ///< see mesh_uri.h
   mesh::Bounds bounds;  ///< in the file's own unit; empty when it has no triangles
   mesh::Vector3 scale{1, 1, 1};
+  /// In the file's own unit; they outlive the attaching. Without them only the bounds tell what it is round about.
+  std::span<const mesh::Vector3> vertices = {};
 };
 
 enum class AttachProblem : std::uint8_t {
@@ -44,10 +47,13 @@ enum class AttachProblem : std::uint8_t {
   kCutDocument,
 };
 
-/// Both parts are round, and about different axes of the shape's frame: a wheel that lies on its side.
+/// The mesh is round about another axis of the shape's frame than what it is compared with: a wheel that lies on
+/// its side. That is the shape that it replaces, if that is round; else, for a mesh no longer than wide, the joint
+/// that turns its link round and round.
 struct AxisMismatch {
   Axis mesh = Axis::kZ;
-  Axis shape = Axis::kZ;  ///< of the shape that the mesh replaces
+  Axis expected = Axis::kZ;
+  std::string joint = {};  ///< name of the joint; empty: compared with the shape
 };
 
 struct AttachedMesh {
@@ -58,7 +64,8 @@ struct AttachedMesh {
   std::string uri;
   std::optional<MeshCopy> copy;  ///< without which the URI does not exist
   std::vector<Edit> edits;
-  std::optional<AxisMismatch> mismatch;  ///< to be reported: the mesh keeps the pose of the shape
+  std::optional<AxisMismatch>
+      mismatch;  ///< to be reported: the mesh keeps the rotation of the shape
 };
 
 /// Candidates that are listed of a model in which nothing is like the name.

@@ -14,6 +14,7 @@
 #include <rigor/author/attach_mesh.h>
 #include <rigor/author/test_world.h>
 #include <rigor/mass/mesh/survey.h>
+#include <rigor/mesh/read.h>
 #include <rigor/process/absolute_path.h>
 #include <rigor/read/load.h>
 #include <rigor/report/number.h>
@@ -61,13 +62,20 @@ std::pair<std::string, std::string> split_model(const std::string& text) {
   return {text.substr(0, colons), text.substr(colons + 2)};
 }
 
+/// What the mesh is compared with: "the shape that it replaces about z".
+std::string expected_text(const author::AxisMismatch& mismatch) {
+  const std::string about = std::string(" about ") + author::to_letter(mismatch.expected);
+  if (mismatch.joint.empty()) return "the shape that it replaces" + about;
+  return "joint '" + report::printable(mismatch.joint) + "' rotates it" + about;
+}
+
 /// With the rotation that would bring the axes together.
 std::string mismatch_text(const author::AttachedMesh& done) {
-  const auto [mesh, shape] = *done.mismatch;
-  const model::Vector3 turn = author::turn_between(mesh, shape);
+  const author::AxisMismatch& mismatch = *done.mismatch;
+  const model::Vector3 turn = author::turn_between(mismatch.mesh, mismatch.expected);
   std::string text = report::printable(done.uri) + " is round about its " +
-                     author::to_letter(mesh) + " axis, the shape that it replaces about " +
-                     author::to_letter(shape) + ": rotate its pose by \"";
+                     author::to_letter(mismatch.mesh) + " axis, " + expected_text(mismatch) +
+                     ": rotate its pose by \"";
   for (const double angle : {turn.x, turn.y, turn.z}) {
     text += report::number(angle, kAngleDigits) + ' ';
   }
@@ -96,17 +104,21 @@ class Attachment {
   }
 
   /// How the mesh comes into the model; a UsageError when it can't.
-  author::AttachedMesh with(const std::string& path, const mesh::Bounds& bounds) const {
-    author::AttachedMesh done = author::attach_mesh(checking_.environment(), sources_, loaded_,
-                                                    name_, {process::absolute_path(path), bounds});
+  author::AttachedMesh with(const author::NewMesh& mesh) const {
+    author::AttachedMesh done =
+        author::attach_mesh(checking_.environment(), sources_, loaded_, name_, mesh);
     refuse(done, name_);
     return done;
   }
 
   void write(const std::string& path) const {
-    const mass::MeshFacts facts = mass::mesh_facts(checking_.disk(), path, mass::MeshDepth::kFile,
-                                                   checking_.environment().workers);
-    const author::AttachedMesh done = with(path, facts.bounds);
+    const mesh::LoadedMesh loaded =
+        mesh::read_mesh(checking_.disk(), path, checking_.environment().workers);
+    const mass::MeshFacts facts =
+        mass::mesh_facts(checking_.disk(), path, loaded, mass::MeshDepth::kFile);
+    const author::AttachedMesh done = with({.path = process::absolute_path(path),
+                                            .bounds = facts.bounds,
+                                            .vertices = loaded.mesh.positions});
     const auto text = apply_edits(sources_.bytes(loaded_.root.source), done.edits);
     if (!text) throw std::logic_error("the edits of " + loaded_.file->path + " overlap");
     for (const FileCopy& copy : copies(facts, done)) {
@@ -184,7 +196,8 @@ class Attachment {
 
 void require_attachable(const MeshCheckArguments& a, const MeshChecking& checking) {
   const auto& facts = *checking.result().meshes.front().facts;
-  Attachment(a, checking).with(a.paths.front(), facts.bounds);
+  Attachment(a, checking)
+      .with({.path = process::absolute_path(a.paths.front()), .bounds = facts.bounds});
 }
 
 void attach(const MeshCheckArguments& a, const MeshChecking& checking, const std::string& path) {
