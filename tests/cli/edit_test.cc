@@ -117,5 +117,59 @@ TEST(Edit, AddNamesWhatAWorldNeeds) {
   EXPECT_EQ(folder.rigor("edit add sonar urdf/car.urdf --to base").exit, 2);
 }
 
+constexpr const char* kCartSdf =
+    "<sdf version='1.6'><model name='cart'><link name='base'/><link name='wheel'/>"
+    "<joint name='axle' type='fixed'><parent>base</parent><child>wheel</child></joint>"
+    "</model></sdf>\n";
+
+/// As of the commands that read a model: the file that its model.config names, or the only one in it.
+TEST(Edit, AFolderIsTheModelInIt) {
+  const Folder folder;
+  const std::string config = "<model><name>cart</name><sdf version='1.6'>cart.sdf</sdf></model>\n";
+  for (const std::string named : {"cart", "cart/", "cart/model.config", "bare"}) {
+    folder.put("cart/model.config", config);
+    folder.put("cart/cart.sdf", kCartSdf);
+    folder.put("cart/other.sdf", kCartSdf);
+    folder.put("bare/cart.sdf", kCartSdf);
+    const std::string file = (named == "bare" ? "bare" : "cart") + std::string("/cart.sdf");
+    for (const std::string verb :
+         {"rename axle hinge", "prefix my_", "remove wheel", "upgrade 1.9", "scale 2"}) {
+      folder.put(file, kCartSdf);
+      folder.put("cart/model.config", config);
+      const Ran ran = folder.rigor("edit " + verb + " " + named + " --write --isolated");
+      EXPECT_EQ(ran.exit, 0) << verb << " " << named << ": " << ran.err;
+      EXPECT_NE(folder.get(file), kCartSdf) << verb << " " << named;
+      EXPECT_EQ(folder.get("cart/other.sdf"), kCartSdf);
+    }
+  }
+  const Ran shown = folder.rigor("edit rename base body bare");
+  EXPECT_EQ(shown.exit, 0) << shown.err;
+  EXPECT_NE(shown.out.find("+++ b/bare/cart.sdf"), std::string::npos) << shown.out;
+}
+
+TEST(Edit, AFolderOfSeveralModelsOrNoneIsRefused) {
+  const Folder folder;
+  folder.put("two/a.sdf", kCartSdf);
+  folder.put("two/b.sdf", kCartSdf);
+  folder.put("none/readme.txt", "");
+  const Ran two = folder.rigor("edit rename axle hinge two --write");
+  EXPECT_EQ(two.exit, 2);
+  EXPECT_NE(two.err.find("two: 2 models in this folder, and no model.config"), std::string::npos)
+      << two.err;
+  EXPECT_EQ(folder.rigor("edit prefix my_ none --write").exit, 2);
+  EXPECT_EQ(folder.get("two/a.sdf"), kCartSdf);
+}
+
+TEST(Edit, TheToolMayBeAFolder) {
+  const Folder folder;
+  folder.put("cart/cart.sdf", kCartSdf);
+  folder.put("tool/tool.sdf",
+             "<sdf version='1.6'><model name='tool'><link name='tip'/></model></sdf>\n");
+  const Ran ran = folder.rigor("edit attach cart tool --to wheel -o out.sdf");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(folder.get("out.sdf").find("<link name='tip'/>"), std::string::npos)
+      << folder.get("out.sdf");
+}
+
 }  // namespace
 }  // namespace rigor::test

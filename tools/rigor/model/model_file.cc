@@ -138,7 +138,7 @@ std::vector<std::string> model_paths(const Environment& environment,
   return all;
 }
 
-const read::File& open_model(read::Workspace& workspace, const std::string& named) {
+std::string model_path(read::Workspace& workspace, const std::string& named) {
   const Disk& disk = workspace.disk();
   std::string path = named;
   if (disk.kind(path) == PathKind::kFolder) path = model_file_in(disk, path);
@@ -146,6 +146,11 @@ const read::File& open_model(read::Workspace& workspace, const std::string& name
     const read::File& config = workspace.open(path);
     if (config.document) path = model_named_by(path, read::read_model_config(*config.document));
   }
+  return path;
+}
+
+const read::File& open_model(read::Workspace& workspace, const std::string& named) {
+  const std::string path = model_path(workspace, named);
   const read::File& file = workspace.open(path);
   if (!file.document) throw UsageError(path + ": " + file.problem);
   if (file.expanded && !file.expanded->ok()) refuse(file, workspace.sources());

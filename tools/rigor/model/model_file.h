@@ -17,8 +17,11 @@
 
 namespace rigor::tool {
 
-/// A file; a folder with a model.config, which names one; or a folder in which there is one model. A UsageError
-/// when it cannot be read, and of a folder with several.
+/// The file that is meant by a file; by a model.config, which names one, or a folder with one; or by a folder in which
+/// there is one model: a UsageError where there are several or none. What does not exist is not noticed.
+std::string model_path(read::Workspace& workspace, const std::string& named);
+
+/// The file of `model_path`, read: a UsageError when it cannot be.
 const read::File& open_model(read::Workspace& workspace, const std::string& path);
 
 /// The same, of a model whose text is to be edited: a UsageError when it is a template.

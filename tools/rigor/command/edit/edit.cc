@@ -33,6 +33,7 @@
 #include "command/command.h"
 #include "command/edit/edit_version.h"
 #include "command/edit/edit_workspace.h"
+#include "model/model_file.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
 #include "output/moved_file.h"
@@ -70,10 +71,11 @@ class EditCommand final : public Command {
             ->type_name("VERB")
             ->required(),
         names_);
-    app->add_option("words", words_,
-                    "What the verb takes, then the files: the model's first, of attach the tool's, "
-                    "then others that refer to it by name, beside those of its repository or "
-                    "package, which are found")
+    app->add_option(
+           "words", words_,
+           "What the verb takes, then the files: the model's first, or its folder, of attach "
+           "the tool's, then others that refer to it by name, beside those of its "
+           "repository or package, which are found")
         ->type_name("WORD");
     auto* write = app->add_flag("--write", write_, "Change the files");
     auto* diff = app->add_flag("--diff", diff_, "Show what would change: the default");
@@ -189,6 +191,9 @@ class EditCommand final : public Command {
 
   int edit(const EditVerb& verb, EditRequest& request) {
     search_.config().open();
+    request.named = request.files;
+    request.files = models_of(request.named);
+    if (!request.tool.empty()) request.tool = models_of({request.tool}).front();
     const EditWorkspace workspace = workspace_of(request.files);
     const GuardedDisk disk = search_.disk(workspace.in_reach(words_));
     Environment environment(disk, search_.paths());
@@ -258,7 +263,7 @@ class EditCommand final : public Command {
     VersionRequest request;
     request.verb = verb_ == kUpgrade ? VersionVerb::kUpgrade : VersionVerb::kDowngrade;
     request.version = words_.front();
-    request.files.assign(words_.begin() + 1, words_.end());
+    request.named.assign(words_.begin() + 1, words_.end());
     request.losses =
         options_.allow_loss ? author::VersionLosses::kAllowed : author::VersionLosses::kRefused;
     request.out = out_;
@@ -266,10 +271,24 @@ class EditCommand final : public Command {
                      : write_      ? EditTarget::kFiles
                                    : EditTarget::kDiff;
     search_.config().open();
-    const GuardedDisk disk = search_.disk(request.files);
+    request.files = models_of(request.named);
+    const GuardedDisk disk = search_.disk(request.named);
     Environment environment(disk, search_.paths());
     search_.allow(environment.workers);
     return rigor::tool::change_version(environment, request);
+  }
+
+  /// A folder is the model in it, as for the commands that only read one, and so is the model's model.config.
+  std::vector<std::string> models_of(std::vector<std::string> named) {
+    const GuardedDisk disk = search_.disk(named);
+    const Environment environment(disk, search_.paths());
+    Sources sources;
+    read::Workspace workspace(environment.resolver, sources);
+    for (std::string& path : named) {
+      if (&path == &named.front() || disk.kind(path) == PathKind::kFolder)
+        path = model_path(workspace, path);
+    }
+    return named;
   }
 
   /// Where other files are: nowhere with --isolated, and with --out, where only the model is written.
@@ -330,7 +349,7 @@ class EditCommand final : public Command {
       if (!out_.empty()) {
         write_moved(out_, file.path, file.text);
       } else if (write_) {
-        replace_found(workspace.in_reach(request.files), file.path, file.text);
+        replace_found(workspace.in_reach(request.named), file.path, file.text);
       } else {
         write({0, {}}, unified_diff(file.path, sources.bytes(file.source), file.edits));
       }
@@ -351,9 +370,10 @@ class EditCommand final : public Command {
       if (option->count() > 0) throw UsageError("edit rename has no option " + name);
     }
     search_.config().open();
-    const std::vector<std::string> files(words_.begin() + 2, words_.end());
+    const std::vector<std::string> named(words_.begin() + 2, words_.end());
+    const std::vector<std::string> files = models_of(named);
     const EditWorkspace around = workspace_of(files);
-    const GuardedDisk disk = search_.disk(around.in_reach(files));
+    const GuardedDisk disk = search_.disk(around.in_reach(named));
     const Environment environment(disk, search_.paths());
     Sources sources;
     read::Workspace workspace(environment.resolver, sources);
@@ -380,7 +400,7 @@ class EditCommand final : public Command {
       if (!write_ && out_.empty())
         write({0, {}}, unified_diff(path, sources.bytes(source), edits));
       else if (text && write_)
-        replace_found(around.in_reach(files), path, *text);
+        replace_found(around.in_reach(named), path, *text);
       else if (text)
         write_moved(out_, path, *text);
     }

@@ -39,6 +39,7 @@ struct EditOptions {
 struct EditRequest {
   std::vector<std::string> words;  ///< before the files
   std::vector<std::string> files;  ///< the model's first
+  std::vector<std::string> named;  ///< what the files were found by: themselves, or their folders
   std::vector<std::string> found;  ///< others of its workspace that may hold a name of the model
   std::string tool;                ///< the file behind the model's of a verb that `takes_tool`
   std::string out;                 ///< where the result goes; empty when that is not said

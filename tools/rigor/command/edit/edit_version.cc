@@ -63,8 +63,8 @@ bool change_version(const Environment& environment, const VersionRequest& reques
   if (request.target == EditTarget::kOut) {
     write_moved(request.out, path, result.text);
   } else if (!result.edits.empty() && writes) {
-    replace_found(request.files, path, result.text);
-    if (result.config) replace_found(request.files, result.config->path, result.config->text);
+    replace_found(request.named, path, result.text);
+    if (result.config) replace_found(request.named, result.config->path, result.config->text);
   } else if (!writes) {
     std::string diff = unified_diff(path, loaded.file->document->bytes(), result.edits);
     if (const auto& config = result.config)

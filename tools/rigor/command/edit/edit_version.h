@@ -22,6 +22,7 @@ struct VersionRequest {
   VersionVerb verb{};
   std::string version;  ///< "1.6"
   std::vector<std::string> files;
+  std::vector<std::string> named;  ///< what the files were found by: themselves, or their folders
   author::VersionLosses losses = author::VersionLosses::kRefused;
   EditTarget target = EditTarget::kDiff;
   std::string out;
