@@ -52,6 +52,27 @@ constexpr const char* kSlider = R"(<sdf version='1.9'>
 </sdf>
 )";
 
+/// Arms on a base, each of 1 kg, 0.1 m from its joint.
+std::string arms(int count, const std::string& limit) {
+  std::string urdf = R"(<robot name="arms">
+  <link name="base">
+    <inertial><mass value="5"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial>
+    <collision><geometry><box size="0.4 0.4 0.1"/></geometry></collision>
+  </link>
+)";
+  for (int i = 0; i < count; ++i) {
+    const std::string n = std::to_string(i);
+    urdf += "  <link name='arm" + n + R"('><inertial><origin xyz="0.1 0 0"/><mass value="1"/>
+    <inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name='joint)" +
+            n + "' type='revolute'><parent link='base'/><child link='arm" + n +
+            "'/><origin xyz='0.3 " + n + R"( 0.5'/><axis xyz="0 1 0"/>
+    <limit velocity='1' )" +
+            limit + "/></joint>\n";
+  }
+  return urdf + "</robot>\n";
+}
+
 class SimulateCli : public testing::Test {
  protected:
   SimulateCli() {
@@ -86,6 +107,39 @@ TEST_F(SimulateCli, AFaultOfSeveralTestsIsSaidOnce) {
   std::size_t sunk = 0;
   for (const json& each : found) sunk += each["rule"] == "simulate-spawned-in-ground" ? 1 : 0;
   EXPECT_EQ(sunk, 1U);
+}
+
+/// An arm of 1 kg at 0.1 m, which takes 0.98 N·m: it stops short, needs more than there is, and sinks.
+TEST_F(SimulateCli, AJointThatIsTooWeakIsSaidOnce) {
+  folder_.put("weak.urdf", arms(1, "lower='-1' upper='1' effort='0.5'"));
+  const json found = simulated("weak.urdf --test hold,joint-sweep");
+  std::size_t weak = 0;
+  for (const json& each : found["diagnostics"])
+    weak += each["rule"] == "simulate-joint-overloaded" ? 1 : 0;
+  EXPECT_EQ(weak, 1U) << found["diagnostics"].dump(1);
+}
+
+TEST_F(SimulateCli, LimitsThatLeaveZeroOutAreOneFinding) {
+  folder_.put("three.urdf", arms(3, "lower='0.3' upper='1' effort='9'"));
+  const std::string out = simulate("three.urdf").out;
+  const std::size_t first = out.find("simulate-start-moved");
+  ASSERT_NE(first, std::string::npos) << out;
+  EXPECT_EQ(out.find("simulate-start-moved", first + 1), std::string::npos) << out;
+  EXPECT_NE(out.find("2 more"), std::string::npos) << out;
+}
+
+/// A test of 1 s and one of 3 s see it with other limits.
+TEST_F(SimulateCli, WhatNeverSettlesIsSaidOnce) {
+  std::string text = kCrate;
+  const std::string box = "<box><size>0.2 0.2 0.2</size></box>";
+  text.replace(text.find(box), box.size(), "<sphere><radius>0.1</radius></sphere>");
+  text.insert(text.find("<mass>"), "<pose>0.02 0 0 0 0 0</pose>");
+  folder_.put("restless.sdf", text);
+  const json found = simulated("restless.sdf --test settle,drop,push");
+  std::size_t restless = 0;
+  for (const json& each : found["diagnostics"])
+    restless += each["rule"] == "simulate-never-settles" ? 1 : 0;
+  EXPECT_EQ(restless, 1U) << found["diagnostics"].dump(1);
 }
 
 TEST_F(SimulateCli, ABaseIsHeldAsAsked) {
@@ -328,6 +382,22 @@ TEST_F(SimulateCli, AdviceOfAnInertiaIsTriedBeforeItIsGiven) {
   const Ran expanded = simulate("wrong.sdf.xacro");
   EXPECT_EQ(expanded.out.find(kWrite), std::string::npos) << expanded.out;
   EXPECT_NE(expanded.out.find("in the template"), std::string::npos) << expanded.out;
+}
+
+/// The inertia of an included link is written in the included file, and `rigor inertia` is told that.
+TEST_F(SimulateCli, AdviceOfAnIncludedInertiaNamesTheIncludedFile) {
+  folder_.put("models/crate/model.config",
+              "<model><name>crate</name><sdf version='1.9'>model.sdf</sdf></model>");
+  folder_.put("models/crate/model.sdf",
+              "<sdf version='1.9'>" + heavy_crate("30", "1", "180", "0.5") + "</sdf>");
+  folder_.put("cell.sdf",
+              "<sdf version='1.9'><model name='cell'><include><uri>model://crate</uri></include>"
+              "</model></sdf>");
+  const Ran ran = simulate("cell.sdf --model-path models");
+  EXPECT_NE(ran.out.find("models/crate/model.sdf --write`"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("CAD"), std::string::npos) << ran.out;
+  EXPECT_NE(folder_.rigor("inertia models/crate/model.sdf --diff").out.find("<ixx>5</ixx>"),
+            std::string::npos);
 }
 
 TEST_F(SimulateCli, AWrongInvocationIsTold) {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include <rigor/simulate/advice/advice.h>
 #include <rigor/simulate/metric/parts.h>
 #include <rigor/simulate/test/tests.h>
 
@@ -248,6 +249,30 @@ TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
   sweep.axis_effort[0] = 1;
   one.scene.joints[0].axes[0].effort = 5;
   EXPECT_EQ(one.metric("joint.reach").fact->kind, FactKind::kJointOverloaded);
+}
+
+/// The inertia of some link, which is a likely cause else, is none then.
+TEST(Metric, AJointThatItsOwnLinksStopIsToldWhichMeet) {
+  Case one("settle");
+  one.scenario.phases.push_back({"sweep my_robot::left_wheel_hinge", 1, 5});
+  for (const double target : {-1.0, 1.0}) {
+    one.scenario.commands.push_back(
+        {.joint = 0, .kind = CommandKind::kPosition, .value = target, .begin = 1, .end = 5});
+  }
+  one.record = still_record(one.scene, one.scenario);
+  PhaseMeasures& sweep = one.record.measures.phases.back();
+  sweep.axis_min[0] = -1;
+  sweep.axis_max[0] = 0.5;
+  sweep.self_contact = {0.00005, 0, 2};
+  sweep.self_contact_with = 1;
+  const Metric reach = one.metric("joint.reach");
+  EXPECT_EQ(reach.verdict, Verdict::kWarn);
+  for (const std::uint32_t shape : {0U, 1U}) {
+    EXPECT_NE(reach.fact->help.find(about_shape(one.scene, shape).subject), std::string::npos)
+        << reach.fact->help;
+  }
+  const Facts causes{{.kind = FactKind::kCauseInertia, .subject = "my_robot/link left_wheel"}};
+  EXPECT_TRUE(explain(*reach.fact, causes).empty());
 }
 
 /// How it stands without them nobody knows; what joints do is known.

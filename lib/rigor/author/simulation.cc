@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/author/model_inertia.h>
-#include <rigor/mass/mesh/survey.h>
+#include <rigor/author/inertia_advice.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
 #include <rigor/simulate/advice/advice.h>
@@ -35,15 +34,6 @@ bool is_about_inertia(const simulate::Fact& cause) {
          cause.kind == simulate::FactKind::kCauseDefaultInertia;
 }
 
-constexpr const char* kInertiaToCompare =
-    "compare its inertia with that of its CAD model; `rigor inertia MODEL --only all --diff` shows "
-    "what its "
-    "shapes would give";
-constexpr const char* kInertiaByHand =
-    "take its inertia from its CAD model: its shapes do not give one";
-constexpr const char* kInertiaOfTemplate =
-    "correct its inertia in the template; `rigor inertia MODEL` shows what its shapes give";
-
 /// A fact of a run with the causes that follow it, and the tests that showed it.
 struct ShownFact {
   simulate::Fact fact;
@@ -51,8 +41,15 @@ struct ShownFact {
   std::vector<std::string> tests;
 };
 
+/// Whether its metrics show one fault: a joint that is too weak needs too much, stops short and is off its position.
+bool is_one_fault_of_several_metrics(simulate::FactKind kind) {
+  using enum simulate::FactKind;
+  return kind == kJointOverloaded || kind == kTurnOff || kind == kCreeps || kind == kDriveDrifts;
+}
+
 bool is_same_fault(const simulate::Fact& a, const simulate::Fact& b) {
-  return a.kind == b.kind && a.subject == b.subject && a.name == b.name;
+  if (a.kind != b.kind || a.subject != b.subject) return false;
+  return a.name == b.name || is_one_fault_of_several_metrics(a.kind);
 }
 
 /// "settle", "settle and drop", "settle, drop and hold".
@@ -87,7 +84,9 @@ Facts facts_of_all(const std::vector<simulate::Run>& runs) {
       } else if (fact.severe && !known->fact.severe) {
         known->fact = fact;
       }
-      if (!fact.test.empty()) known->tests.push_back(fact.test);
+      const bool is_listed =
+          std::find(known->tests.begin(), known->tests.end(), fact.test) != known->tests.end();
+      if (!fact.test.empty() && !is_listed) known->tests.push_back(fact.test);
       last = is_cause(fact) ? nullptr : &*known;
     }
   }
@@ -177,25 +176,12 @@ void Simulator::take_stand_pose(const read::Loaded& loaded, PreparedModel& model
 }
 
 /// The help of a cause in a link's inertia names `rigor inertia --write`. That is tried here: where it would write
-/// nothing, the help is another.
+/// nothing, or another file than the model's, the help is another.
 void Simulator::advise_inertias(const read::Loaded& loaded, Facts& causes) const {
-  if (std::none_of(causes.begin(), causes.end(), is_about_inertia)) return;
-  if (loaded.file->expanded) {
-    for (simulate::Fact& cause : causes) {
-      if (is_about_inertia(cause)) cause.help = kInertiaOfTemplate;
-    }
-    return;
-  }
-  mass::MeshSurveys surveys(environment_.disk, {.workers = &environment_.workers});
-  const ModelInertia table = model_inertia(environment_, sources_, loaded, surveys, {});
+  InertiaAdvice advice(environment_, sources_, workspace_, loaded);
   for (simulate::Fact& cause : causes) {
-    if (!is_about_inertia(cause) || !cause.help.empty()) continue;
-    const auto row = std::find_if(
-        table.links.begin(), table.links.end(),
-        [&](const LinkInertia& link) { return loaded.root[link.link].name.span == cause.where; });
-    const bool known = row != table.links.end();
-    if (known && row->chosen) continue;
-    cause.help = known && row->computed ? kInertiaToCompare : kInertiaByHand;
+    if (!is_about_inertia(cause)) continue;
+    if (loaded.file->expanded || cause.help.empty()) cause.help = advice.help(cause.where);
   }
 }
 

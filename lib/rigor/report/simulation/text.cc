@@ -15,6 +15,7 @@
 #include <rigor/report/terminal/pretty.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/text/grouping.h>
 
 namespace rigor::report {
 namespace {
@@ -149,7 +150,7 @@ std::string table_line(const SimulatedModel& model, Color color) {
 std::string simulation_text(const SimulationReport& report, Color color) {
   std::string out;
   for (const SimulatedModel& model : report.models) {
-    out += pretty(model.diagnostics, report.sources, color);
+    out += pretty(grouped(model.diagnostics), report.sources, color);
   }
   const bool several = report.models.size() > 1;
   for (const SimulatedModel& model : report.models) {

@@ -44,10 +44,13 @@ void check(const simulate::Fact& fact, Context& context) {
     const bool several = fact.test.find(" and ") != std::string::npos;
     message += (several ? ", in the tests " : ", in the test ") + fact.test;
   }
+  // Of limits that leave zero out, a robot has as many as joints: they are written by one hand.
+  const bool is_start = fact.kind == simulate::FactKind::kStartMoved;
   context.report({.where = fact.where,
                   .message = std::move(message),
                   .subject = fact.subject,
-                  .help = fact.help.empty() ? std::string(row.help) : fact.help});
+                  .help = fact.help.empty() ? std::string(row.help) : fact.help,
+                  .cause = is_start ? "zero is outside its limits" : ""});
 }
 
 }  // namespace simulation

@@ -142,6 +142,8 @@ Facts explain(const Fact& shown, const Facts& causes) {
     // With half of its shapes the rest is guesswork.
     if (!likely.empty()) return likely;
   }
+  // What is in the joint's way is told.
+  if (shown.kind == FactKind::kJointShort && !shown.help.empty()) return likely;
   for (const FactKind kind : kinds_behind(shown.kind)) {
     for (const Fact& cause : causes) {
       if (cause.kind == kind && likely.size() < kMaxCauses) likely.push_back(cause);

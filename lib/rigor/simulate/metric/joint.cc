@@ -100,8 +100,21 @@ void blame_effort(MetricSheet& sheet, bool exhausted) {
   if (metric.fact && exhausted) metric.fact->kind = FactKind::kJointOverloaded;
 }
 
-/// Limits of an arm are those of its motors, and within them its links meet: no fault, but worth knowing.
-void forgive_reach(Metric& reach) {
+/// Whether it sinks to its stop, where it rests without an effort.
+bool is_too_weak_for_its_load(const Scene& scene, const SceneJoint& joint) {
+  if (joint.axes.size() != 1 || !can_be_commanded(joint)) return false;
+  const double effort = joint.axes[0].effort;
+  return effort > 0 && JointLoads(scene).standing(joint) > effort;
+}
+
+/// Limits of an arm are those of its motors, and within them its links meet: no fault, but worth knowing. What is in the way
+/// explains it, and not an inertia.
+void blame_what_touches(const Scene& scene, const PhaseMeasures& seen, Metric& reach) {
+  if (!reach.fact) return;
+  reach.fact->help =
+      about_shape(scene, seen.self_contact.of).subject + " and " +
+      about_shape(scene, seen.self_contact_with).subject +
+      " meet on the way: limit the joint to where they do not, or make these collisions smaller";
   if (reach.verdict != Verdict::kFail) return;
   reach.verdict = Verdict::kWarn;
   reach.fact->severe = false;
@@ -126,7 +139,7 @@ void add_sweep_metrics(MetricSheet& sheet) {
   const JointLoads loads(sheet.scene);
   Peak reach, effort;
   bool exhausted = false;
-  bool blocked = false;
+  const PhaseMeasures* blocked = nullptr;  // in which its own links are in the way
   for (std::size_t i = 0; i < sheet.scenario.phases.size(); ++i) {
     const Phase& phase = sheet.scenario.phases[i];
     if (!phase.name.starts_with(kSweepPhase)) continue;
@@ -141,7 +154,7 @@ void add_sweep_metrics(MetricSheet& sheet) {
     const bool touches_itself = seen.self_contact.value > 0;
     if (missing > reach.value) {
       exhausted = share >= kAllEffort && !touches_itself;
-      blocked = touches_itself;
+      blocked = touches_itself ? &seen : nullptr;
     }
     reach.see(missing, sweep.joint, 0);
     if (!touches_itself) effort.see(share, sweep.joint, 0);
@@ -150,7 +163,7 @@ void add_sweep_metrics(MetricSheet& sheet) {
   if (reach.of == kWorld) return;
   sheet.add("joint.reach", reach.value, about_joint(sheet.scene, reach.of));
   blame_effort(sheet, exhausted);
-  if (blocked) forgive_reach(sheet.metrics.back());
+  if (blocked != nullptr) blame_what_touches(sheet.scene, *blocked, sheet.metrics.back());
   if (effort.of == kWorld) return;
   sheet.add("joint.effort", effort.value, about_joint(sheet.scene, effort.of));
 }
@@ -160,14 +173,19 @@ void add_hold_metrics(MetricSheet& sheet) {
   if (hold == nullptr) return;
   const std::vector<std::uint32_t> first = first_axes(sheet.scene);
   Peak error;
+  std::uint32_t joint = kWorld;  // of the error
   for (const Command& command : sheet.scenario.commands) {
     if (command.kind != CommandKind::kPosition) continue;
     const std::uint32_t axis = first[command.joint] + command.axis;
-    error.see(std::max(hold->axis_max[axis] - command.value, command.value - hold->axis_min[axis]),
-              axis, 0);
+    const double off =
+        std::max(hold->axis_max[axis] - command.value, command.value - hold->axis_min[axis]);
+    if (off > error.value) joint = command.joint;
+    error.see(off, axis, 0);
   }
   sheet.add("hold.error", error.value, about_axis(sheet.scene, error.of));
-  blame_effort(sheet, error.of != kWorld && hold->axis_effort[error.of] >= kAllEffort);
+  if (joint == kWorld) return;
+  blame_effort(sheet, hold->axis_effort[error.of] >= kAllEffort ||
+                          is_too_weak_for_its_load(sheet.scene, sheet.scene.joints[joint]));
 }
 
 void add_tilt_table_metrics(MetricSheet& sheet) {

@@ -50,6 +50,7 @@ void add_settle_time(MetricSheet& sheet) {
   // Not seen to settle, in a time that would have been soon enough.
   Fact fact = about_scene(sheet.scene);
   fact.kind = FactKind::kNeverSettles;
+  fact.name = metric.id;
   fact.value = metric.value;
   fact.limit = phases[0].end - kSettleHold;
   fact.test = sheet.scenario.name;
