@@ -233,7 +233,8 @@ TEST(Metric, AnExplosionIsToldOfTheCulpritAndNothingOfTheEnd) {
   EXPECT_EQ(one.metric("rest.creep").id, "none");
 }
 
-TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
+/// A hinge that is to go from -1 to 1 rad and ends at 0.5.
+Case short_sweep() {
   Case one("settle");
   one.scenario.phases.push_back({"sweep my_robot::left_wheel_hinge", 1, 5});
   for (const double target : {-1.0, 1.0}) {
@@ -244,6 +245,12 @@ TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
   PhaseMeasures& sweep = one.record.measures.phases.back();
   sweep.axis_min[0] = -1;
   sweep.axis_max[0] = 0.5;
+  return one;
+}
+
+TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
+  Case one = short_sweep();
+  PhaseMeasures& sweep = one.record.measures.phases.back();
   EXPECT_NEAR(one.metric("joint.reach").value, 0.25, 1e-12);
   EXPECT_EQ(one.metric("joint.reach").fact->kind, FactKind::kJointShort);
   sweep.axis_effort[0] = 1;
@@ -253,16 +260,8 @@ TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
 
 /// The inertia of some link, which is a likely cause else, is none then.
 TEST(Metric, AJointThatItsOwnLinksStopIsToldWhichMeet) {
-  Case one("settle");
-  one.scenario.phases.push_back({"sweep my_robot::left_wheel_hinge", 1, 5});
-  for (const double target : {-1.0, 1.0}) {
-    one.scenario.commands.push_back(
-        {.joint = 0, .kind = CommandKind::kPosition, .value = target, .begin = 1, .end = 5});
-  }
-  one.record = still_record(one.scene, one.scenario);
+  Case one = short_sweep();
   PhaseMeasures& sweep = one.record.measures.phases.back();
-  sweep.axis_min[0] = -1;
-  sweep.axis_max[0] = 0.5;
   sweep.self_contact = {0.00005, 0, 2};
   sweep.self_contact_with = 1;
   const Metric reach = one.metric("joint.reach");
