@@ -14,6 +14,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <semaphore>
 #include <set>
@@ -35,21 +36,24 @@ constexpr std::chrono::seconds kHeartbeat{5};
 constexpr std::string_view kBeat = ": here\n\n";
 
 /// Takes no more connections than it has threads: the rest wait in the system's own queue.
-class PageThreads final : public httplib::ThreadPool {
+class PageThreads final : public httplib::TaskQueue {
  public:
-  PageThreads() : httplib::ThreadPool(kThreads) {}
+  /// Nothing in cpp-httplib 0.11, whether there was room for it in 0.18.
+  using Enqueued = decltype(std::declval<httplib::TaskQueue&>().enqueue(nullptr));
 
-  void enqueue(std::function<void()> connection) override {
+  Enqueued enqueue(std::function<void()> connection) override {
     free_.acquire();
-    httplib::ThreadPool::enqueue([this, connection = std::move(connection)] {
+    return pool_.enqueue([this, connection = std::move(connection)] {
       connection();
       free_.release();
     });
   }
+  void shutdown() override { pool_.shutdown(); }
 
  private:
   static constexpr std::size_t kThreads = PageServer::kMaxListeners + kPageThreads;
   std::counting_semaphore<kThreads> free_{kThreads};
+  httplib::ThreadPool pool_{kThreads};
 };
 
 void refuse(httplib::Response& response, int status, const char* reason) {
@@ -119,16 +123,34 @@ class HttpSite final : public PageSite, private httplib::Server {
   }
 
  private:
+  using Prepare = std::function<void(httplib::Request&)>;
+
+  static void prepare(httplib::Request& request) {
+    // Nothing is gained by compressing what stays on this machine, and brotli takes seconds for it.
+    request.headers.erase("Accept-Encoding");
+    request.ranges.clear();
+  }
+
+  /// The library's own, as cpp-httplib 0.11 declares it.
+  bool answer(bool (Server::*process)(httplib::Stream&, bool, bool&, const Prepare&),
+              httplib::Stream& stream) {
+    bool closed = false;
+    return (this->*process)(stream, true, closed, prepare);
+  }
+
+  /// As 0.18 does, with addresses that nothing here asks for.
+  bool answer(bool (Server::*process)(httplib::Stream&, const std::string&, int, const std::string&,
+                                      int, bool, bool&, const Prepare&),
+              httplib::Stream& stream) {
+    bool closed = false;
+    return (this->*process)(stream, "", 0, "", 0, true, closed, prepare);
+  }
+
   /// One request a connection.
   bool process_and_close_socket(socket_t socket) override {
     ::fcntl(socket, F_SETFD, FD_CLOEXEC);
     SocketStream stream(socket);
-    bool closed = false;
-    const bool answered = process_request(stream, true, closed, [](httplib::Request& request) {
-      // Nothing is gained by compressing what stays on this machine, and brotli takes seconds for it.
-      request.headers.erase("Accept-Encoding");
-      request.ranges.clear();
-    });
+    const bool answered = answer(&HttpSite::process_request, stream);
     ::shutdown(socket, SHUT_WR);
     // What was not read would end the connection at once, and with it what is on its way.
     std::array<char, 4096> rest;
