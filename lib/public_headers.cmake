@@ -80,6 +80,7 @@ set(rigor_public_headers
   rigor/rules/context.h
   rigor/rules/environment.h
   rigor/rules/meshes.h
+  rigor/rules/page_in_brief.h
   rigor/rules/registry.h
   rigor/rules/rule.h
   rigor/rules/target.h

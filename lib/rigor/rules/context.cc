@@ -93,12 +93,13 @@ Severity Context::severity_of(const Finding& finding) const {
   return severity == Severity::kError ? Severity::kWarning : severity;
 }
 
-Diagnostic Context::diagnostic_of(const Finding& finding) const {
+Diagnostic Context::diagnostic_of(const Finding& finding) {
+  if (!page_) page_ = page_in_brief(prose_, inputs_.root.format);
   Diagnostic diagnostic;
   diagnostic.rule = rule_;
   diagnostic.category = category_;
-  diagnostic.page_why = page_.why;
-  diagnostic.page_help = page_.help;
+  diagnostic.page_why = page_->why;
+  diagnostic.page_help = page_->help;
   diagnostic.severity = severity_of(finding);
   diagnostic.where = finding.where;
   if (finding.where.nowhere()) diagnostic.path = inputs_.path;

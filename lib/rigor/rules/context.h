@@ -19,6 +19,7 @@
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/rules/compat.h>
+#include <rigor/rules/page_in_brief.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
 #include <rigor/xml/document.h>
@@ -74,12 +75,6 @@ struct Finding {
       {};  ///< what a consumer makes of this case; when empty, the rule's page says it
   /// Where the effect of this one is larger or smaller than that of most; else the rule's severity.
   std::optional<Severity> severity = std::nullopt;
-};
-
-/// The first sentences of a rule's page; static data.
-struct PageInBrief {
-  std::string_view why;
-  std::string_view help;
 };
 
 class Context {
@@ -182,10 +177,11 @@ class Context {
 
   /// The rule that is at work; set by the runner.
   void begin_rule(std::string_view name, std::string_view category, Severity severity,
-                  PageInBrief page = {}) {
+                  PageProse prose = {}) {
     rule_ = name;
     category_ = category;
-    page_ = page;
+    prose_ = prose;
+    page_.reset();
     severity_ = severity;
     graded_ = true;
     refusal_.reset();
@@ -199,7 +195,7 @@ class Context {
   struct Found;  ///< what was asked for so far, and what each rule reported
 
   std::optional<mesh::Bounds> bounds(const model::Mesh& mesh, robot::ShapeRole role);
-  Diagnostic diagnostic_of(const Finding& finding) const;
+  Diagnostic diagnostic_of(const Finding& finding);
   void list_or_count(Diagnostic diagnostic);
   Severity severity_of(const Finding& finding) const;
   std::string subject_at(Span where) const;
@@ -215,7 +211,8 @@ class Context {
   std::string mesh_;  // empty when none is examined
   std::string_view rule_;
   std::string_view category_;
-  PageInBrief page_;
+  PageProse prose_;
+  std::optional<PageInBrief> page_;  // made of the prose when the rule finds something
   Severity severity_ = Severity::kError;
   bool graded_ = true;              // whether a finding may have a severity of its own
   std::optional<Refusal> refusal_;  // nothing when rigor's own judgment counts

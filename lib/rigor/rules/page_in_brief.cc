@@ -1,12 +1,12 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/rules/page_in_brief.h>
+
 #include <algorithm>
 #include <initializer_list>
-#include <string_view>
 
 #include <rigor/rules/mjcf/also_for_mjcf.h>
-#include <rigor/rules/registry.h>
 
 namespace rigor::rules {
 namespace {
@@ -43,15 +43,11 @@ std::string_view sentence_for(model::Format format, std::string_view prose) {
   return first;
 }
 
-PageInBrief brief_of(const Rule& rule, model::Format format) {
-  return {sentence_for(format, rule.why), sentence_for(format, rule.what_to_do)};
-}
-
 }  // namespace
 
-PagesInBrief pages_in_brief(const Rule& rule) {
-  return {brief_of(rule, model::Format::kSdf), brief_of(rule, model::Format::kUrdf),
-          brief_for_mjcf(rule)};
+PageInBrief page_in_brief(const PageProse& prose, model::Format format) {
+  if (format == model::Format::kMjcf) return brief_for_mjcf(prose);
+  return {sentence_for(format, prose.why), sentence_for(format, prose.what_to_do)};
 }
 
 }  // namespace rigor::rules

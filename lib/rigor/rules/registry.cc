@@ -70,8 +70,6 @@ Registry::Registry() {
             [](const Rule* a, const Rule* b) { return a->name < b->name; });
   rules_.reserve(rules.size());
   for (Rule* rule : sorted) rules_.push_back(std::move(*rule));
-  pages_.reserve(rules_.size());
-  for (const Rule& rule : rules_) pages_.push_back(pages_in_brief(rule));
 }
 
 std::string_view current_name(std::string_view name) {

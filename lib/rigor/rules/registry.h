@@ -11,19 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/rules/context.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules {
-
-/// The sentences of a rule's page that a report prints; which depends on the format of the file.
-struct PagesInBrief {
-  PageInBrief in_sdf;
-  PageInBrief in_urdf;
-  PageInBrief in_mjcf;
-};
-
-PagesInBrief pages_in_brief(const Rule& rule);
 
 class Registry {
  public:
@@ -31,14 +21,11 @@ class Registry {
   Registry();
 
   const std::vector<Rule>& rules() const { return rules_; }
-  /// Of each rule, in their order.
-  const std::vector<PagesInBrief>& pages() const { return pages_; }
   /// By its name, or one that it had before.
   const Rule* find(std::string_view name) const;
 
  private:
   std::vector<Rule> rules_;
-  std::vector<PagesInBrief> pages_;
 };
 
 /// Rules that have been renamed: configuration, options, suppression comments and baselines may still have the

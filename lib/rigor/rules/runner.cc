@@ -68,8 +68,7 @@ const schema::Schema* schema_of(const Environment& environment, model::Format fo
 
 Runner::Runner(const Registry& registry, const Selection& selection)
     : max_listed_(selection.max_listed) {
-  for (std::size_t i = 0; i < registry.rules().size(); ++i) {
-    const Rule& rule = registry.rules()[i];
+  for (const Rule& rule : registry.rules()) {
     const bool selected = selection.select.empty() || names(selection.select, rule);
     if (!selected || names(selection.ignore, rule) || !targeted(rule, selection)) continue;
     Severity severity = rule.severity;
@@ -84,7 +83,7 @@ Runner::Runner(const Registry& registry, const Selection& selection)
         grading = Grading::kHeld;
       }
     }
-    add(rule, registry.pages()[i], severity, compat, grading);
+    add(rule, severity, compat, grading);
   }
 }
 
@@ -92,8 +91,7 @@ bool Runner::runs(std::string_view rule) const {
   return std::binary_search(active_.begin(), active_.end(), rule);
 }
 
-void Runner::add(const Rule& rule, const PagesInBrief& pages, Severity severity, Compat compat,
-                 Grading grading) {
+void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading grading) {
   active_.push_back(rule.name);  // sorted, as the registry is
   has_assembly_ = has_assembly_ || rule.category == Category::kAssembly;
   for (const Check& check : rule.checks) {
@@ -101,8 +99,8 @@ void Runner::add(const Rule& rule, const PagesInBrief& pages, Severity severity,
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
               {{rule.name, to_string(rule.category), rule.category == Category::kAssembly,
-                pages.in_sdf, pages.in_urdf, pages.in_mjcf, holds_for_mjcf(rule), severity, compat,
-                grading, rule.formats, rule.refused},
+                {rule.why, rule.what_to_do}, holds_for_mjcf(rule), severity, compat, grading,
+                rule.formats, rule.refused},
                one});
         },
         check);
@@ -190,10 +188,7 @@ class Runner::Walk {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format) || (active.of_assembly && !assembles_)) return false;
     if (format == model::Format::kMjcf && !active.of_mjcf) return false;
-    const PageInBrief& page = format == model::Format::kUrdf   ? active.in_urdf
-                              : format == model::Format::kMjcf ? active.in_mjcf
-                                                               : active.in_sdf;
-    context_.begin_rule(active.rule, active.category, active.severity, page);
+    context_.begin_rule(active.rule, active.category, active.severity, active.prose);
     if (active.grading == Grading::kHeld) context_.hold_severity();
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));
     return true;

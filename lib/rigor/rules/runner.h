@@ -75,9 +75,7 @@ class Runner {
     std::string_view rule;
     std::string_view category;
     bool of_assembly;
-    PageInBrief in_sdf;  ///< what the page says first of files of that format
-    PageInBrief in_urdf;
-    PageInBrief in_mjcf;
+    PageProse prose;
     bool of_mjcf;  ///< whether it holds for MJCF
     Severity severity;
     Compat compat;
@@ -96,8 +94,7 @@ class Runner {
 
   class Walk;
 
-  void add(const Rule& rule, const PagesInBrief& pages, Severity severity, Compat compat,
-           Grading grading);
+  void add(const Rule& rule, Severity severity, Compat compat, Grading grading);
 
   SlotsOf<Check>::type slots_;
   std::vector<std::string_view> active_;  // names

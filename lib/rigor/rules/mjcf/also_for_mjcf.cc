@@ -51,8 +51,8 @@ bool holds_for_mjcf(const Rule& rule) {
   return std::find(kAlsoForMjcf.begin(), kAlsoForMjcf.end(), rule.name) != kAlsoForMjcf.end();
 }
 
-PageInBrief brief_for_mjcf(const Rule& rule) {
-  return {sentence_on_mujoco(rule.why), sentence_on_mujoco(rule.what_to_do)};
+PageInBrief brief_for_mjcf(const PageProse& prose) {
+  return {sentence_on_mujoco(prose.why), sentence_on_mujoco(prose.what_to_do)};
 }
 
 }  // namespace rigor::rules

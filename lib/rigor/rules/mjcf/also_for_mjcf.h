@@ -8,7 +8,7 @@
 
 #include <string_view>
 
-#include <rigor/rules/context.h>
+#include <rigor/rules/page_in_brief.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules {
@@ -16,6 +16,6 @@ namespace rigor::rules {
 bool holds_for_mjcf(const Rule& rule);
 
 /// Of the rule's page what it says of MuJoCo, or of no consumer in particular; else nothing.
-PageInBrief brief_for_mjcf(const Rule& rule);
+PageInBrief brief_for_mjcf(const PageProse& prose);
 
 }  // namespace rigor::rules
