@@ -89,7 +89,7 @@ TEST(FlipHull, RoundedGlobes) {
 TEST(FlipHull, DentsAreFilled) {
   std::mt19937 random(7);
   int made = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (unsigned round = 0; round < 200; ++round) {
     TriangleMesh mesh = globe(5 + round % 7, 6 + round % 5, {1, 1.5, 0.7});
     const auto share = [&random] { return static_cast<double>(random() % 1000) / 1000; };
     const double depth = 0.1 * share();

@@ -24,7 +24,6 @@ using simulate::kWorld;
 using simulate::SolverSettings;
 
 constexpr double kContactWeight = 9.8;  // N/kg
-constexpr double kContactHalfTurn = 3.14159265358979323846;
 
 class Contacts : public test::Engines {};
 
