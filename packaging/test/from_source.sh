@@ -39,8 +39,12 @@ if [ -n "$corpus" ]; then
   mount -o remount,bind,ro "$root$corpus"
 fi
 
+# Where a network has an authority of its own, npm has to know it.
+certificates=${NODE_EXTRA_CA_CERTS:+/root/certificates.crt}
+[ -z "$certificates" ] || cp "$NODE_EXTRA_CA_CERTS" "$root$certificates"
+
 inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin \
-  LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive RIGOR_CORPUS="$corpus" "$@"; }
+  LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive RIGOR_CORPUS="$corpus" ${certificates:+NODE_EXTRA_CA_CERTS="$certificates"} "$@"; }
 
 inside apt-get update -qq
 inside apt-get install -y -qq --no-install-recommends git >/dev/null 2>&1
