@@ -258,7 +258,7 @@ TEST(UrdfJoint, LinksBetweenHaveAMassThatWhatTheyCarryHasLess) {
       if (!link.name.starts_with("j_")) continue;
       ++between;
       EXPECT_GT(link.inertial->mass.value, 1.5e-6);
-      for (const std::size_t i : {0, 3, 5}) EXPECT_GT(link.inertial->inertia[i].value, 2e-15);
+      for (const std::size_t i : {0U, 3U, 5U}) EXPECT_GT(link.inertial->inertia[i].value, 2e-15);
     }
     EXPECT_EQ(between, count) << type;
     EXPECT_NEAR(mass_of(robot, "b"), 0.7 - 2e-6 * static_cast<double>(count), 1e-15);
