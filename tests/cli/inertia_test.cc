@@ -396,7 +396,7 @@ TEST(InertiaCli, LinksOfOneNameHaveTheirOwnFindings) {
              "<sdf version='1.9'><model name='m'>\n" + link + "\n" + link + "</model></sdf>");
   const auto table = nlohmann::json::parse(folder.rigor("inertia twins.sdf --format json").out);
   ASSERT_EQ(table["links"].size(), 2U);
-  for (int i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2; ++i) {
     ASSERT_EQ(table["links"][i]["findings"].size(), 1U);
     EXPECT_EQ(table["links"][i]["findings"][0]["line"], i + 2);
   }

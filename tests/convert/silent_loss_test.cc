@@ -537,7 +537,7 @@ TEST(SilentLoss, ThereIsNoneOfTheKeysOfBlocks) {
   for (const char* reference : {"", "arm", "shoulder", "hand", "nobody"}) {
     for (const char* type : {"revolute", "fixed"}) {
       for (const auto& [key, first, second] : kValues) {
-        const auto document = [&](const std::string& content) {
+        const auto document = [&, &key = key](const std::string& content) {
           Plant robot = urdf_bench(0).document;
           *robot.child("joint")->attribute("type") = type;
           Plant block = plant("gazebo", {}, "");

@@ -114,7 +114,7 @@ TEST(CorpusXacro, EveryExpansionIsTheReferences) {
   for (const XacroJson& row : rows) {
     const std::string path = row["path"];
     xacro::World world{disk};
-    world.find_package = [&](std::string_view name, std::string_view) {
+    world.find_package = [&path, &packages = packages](std::string_view name, std::string_view) {
       return find_xacro_package(packages, path.substr(0, path.find('/')), std::string(name));
     };
     xacro::Options options;

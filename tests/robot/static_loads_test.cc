@@ -120,7 +120,7 @@ TEST(StaticLoads, OfAStretchedArmAreFoundWhateverTheSamples) {
       joint("e", "<parent link='b'/><child link='c'/>", "<origin xyz='0 0 1'/><axis xyz='1 0 0'/>",
             "continuous") +
       "</robot>");
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const auto loads = static_loads(robot, {.samples = 5, .seed = seed});
     EXPECT_NEAR(std::abs(loads.axes[0].effort), 19.6, 1e-6);
     EXPECT_NEAR(std::abs(loads.axes[1].effort), 4.9, 1e-6);

@@ -98,9 +98,16 @@ void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading gra
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name, to_string(rule.category), rule.category == Category::kAssembly,
-                {rule.why, rule.what_to_do}, holds_for_mjcf(rule), severity, compat, grading,
-                rule.formats, rule.refused},
+              {{rule.name,
+                to_string(rule.category),
+                rule.category == Category::kAssembly,
+                {rule.why, rule.what_to_do},
+                holds_for_mjcf(rule),
+                severity,
+                compat,
+                grading,
+                rule.formats,
+                rule.refused},
                one});
         },
         check);

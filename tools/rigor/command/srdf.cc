@@ -49,7 +49,7 @@ class SrdfCommand final : public Command {
         "no check; or update one",
         {"rigor srdf arm.urdf -o config/arm.srdf", "rigor srdf robot.urdf.xacro --samples 100000",
          "rigor srdf arm.urdf --update config/arm.srdf --write"});
-    app->add_option("model", model_, "A URDF, xacro or SDF file, or a folder with a model.config")
+    app->add_option("path", model_, "A URDF, xacro or SDF file, or a folder with a model.config")
         ->required()
         ->type_name("MODEL");
     app->add_option("--model", name_, "Name of one of several models in a file")->type_name("NAME");
