@@ -4,8 +4,8 @@
 #
 # packaging/test/from_source.sh RELEASE [COMMAND...]: unpacks a Debian release into a folder of its own, puts the
 # committed sources there, and runs COMMAND in them (default: tools/dev test, which installs what it needs). Needs root,
-# debootstrap, some 10 GB in TMPDIR, and an hour on two cores. RIGOR_CORPUS, if set, is seen inside at the same place,
-# read only.
+# debootstrap, some 10 GB in TMPDIR, and an hour on two cores. RIGOR_CORPUS, if set, and what lies beside it are seen
+# inside at the same place, read only.
 # shellcheck disable=SC2016  # dollar signs that are not the shell's
 set -euo pipefail
 source_tree=$(cd "$(dirname "$0")/../.." && pwd)
@@ -17,9 +17,10 @@ shift
 root=$(mktemp -d "${TMPDIR:-/var/tmp}/rigor-source-XXXXXX")
 chmod 755 "$root"
 corpus=${RIGOR_CORPUS:+$(realpath "$RIGOR_CORPUS")}
+beside=${corpus%/*}
 clean_up() {
   local folder
-  for folder in "$corpus" /dev/pts /dev/shm /dev /proc; do
+  for folder in "$beside" /dev/pts /dev/shm /dev /proc; do
     if [ -n "$folder" ] && mountpoint -q "$root$folder"; then umount "$root$folder"; fi
   done
   rm -rf --one-file-system "$root"
@@ -33,10 +34,10 @@ mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
 mount --bind /dev/pts "$root/dev/pts"
 mount -t tmpfs tmpfs "$root/dev/shm"
-if [ -n "$corpus" ]; then
-  mkdir -p "$root$corpus"
-  mount --bind "$corpus" "$root$corpus"
-  mount -o remount,bind,ro "$root$corpus"
+if [ -n "$beside" ]; then
+  mkdir -p "$root$beside"
+  mount --bind "$beside" "$root$beside"
+  mount -o remount,bind,ro "$root$beside"
 fi
 
 # Where a network has an authority of its own, npm has to know it.

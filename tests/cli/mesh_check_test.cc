@@ -393,7 +393,10 @@ TEST(MeshCheckCli, ReducingTellsWhatBecameOfSeams) {
   EXPECT_NE(moved.out.find("seams"), std::string::npos) << moved.out;
   EXPECT_NE(folder.get("two.obj").find("\nvt "), std::string::npos);
   const Ran kept = folder.rigor("mesh-check square.obj --reduce 2 --keep-seams -o all.obj");
-  EXPECT_NE(kept.out.find("reduce: 200 triangles"), std::string::npos) << kept.out;
+  // All of them, or all but two at corners, by the version of meshoptimizer.
+  const std::size_t said = kept.out.find("reduce: ");
+  ASSERT_NE(said, std::string::npos) << kept.out;
+  EXPECT_GE(std::stoi(kept.out.substr(said + 8)), 198) << kept.out;
   EXPECT_NE(kept.out.find("2 were asked for"), std::string::npos) << kept.out;
   EXPECT_EQ(folder.rigor("mesh-check square.obj --keep-seams -o all.obj").exit, 2);
 }
