@@ -43,8 +43,9 @@ TEST(SafeName, OfRandomBytesIsOnePartOfAPath) {
   SafeNames names;
   for (int round = 0; round < 2000; ++round) {
     std::string name(random() % 300, '\0');
-    for (char& c : name)
-      c = static_cast<char>(random() % 4 == 0 ? "./\\-"[random() % 4] : random());
+    for (char& c : name) {
+      c = random() % 4 == 0 ? "./\\-"[random() % 4] : static_cast<char>(random());
+    }
     const std::string safe = names.take(name);
     EXPECT_TRUE(seen.insert(safe).second);
     EXPECT_LE(safe.size(), kMaxSafeName + 5);

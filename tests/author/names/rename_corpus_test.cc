@@ -35,7 +35,7 @@ class OpenedRobot {
  public:
   OpenedRobot(const Environment& environment, const std::string& path,
               const std::string* bytes = nullptr)
-      : environment_(environment), workspace_(environment.resolver, sources_), path_(path) {
+      : workspace_(environment.resolver, sources_), path_(path) {
     const read::File& file =
         bytes == nullptr ? workspace_.open(path) : workspace_.put(path, *bytes);
     loaded_ =
@@ -67,7 +67,6 @@ class OpenedRobot {
   }
 
  private:
-  const Environment& environment_;
   Sources sources_;
   read::Workspace workspace_;
   std::string path_;
