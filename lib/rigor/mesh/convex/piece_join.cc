@@ -15,8 +15,8 @@ namespace rigor::mesh {
 namespace {
 
 /// Up to so many, each pair's common hull is computed; of more, the smallest go first to the neighbor
-/// that their common bounds favor.
-constexpr std::size_t kMaxPaired = 200;
+/// that their common bounds favor. Two hundred took ten seconds.
+constexpr std::size_t kMaxPaired = 120;
 
 /// Points of all pairs' common hulls together: some seconds. Hulls of a robot's mesh have fifty, two hundred of a
 /// damaged one had a thousand each.
