@@ -466,8 +466,7 @@ TEST(Reduce, LargeRealMeshesKeepTheirShape) {
   }
   std::sort(relative.begin(), relative.end());
   const std::size_t half = relative.size() / 2;
-  // A hundredth, and a hair with meshoptimizer 0.22.
-  EXPECT_LE(0.5 * (relative[half] + relative[(relative.size() - 1) / 2]), 0.0101);
+  EXPECT_LE(0.5 * (relative[half] + relative[(relative.size() - 1) / 2]), 0.01);
 }
 
 }  // namespace

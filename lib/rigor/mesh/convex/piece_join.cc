@@ -15,7 +15,7 @@ namespace rigor::mesh {
 namespace {
 
 /// Up to so many, each pair's common hull is computed; of more, the smallest go first to the neighbor
-/// that their common bounds favor. Two hundred took ten seconds.
+/// that their common bounds favor. Two hundred of a damaged mesh took ten seconds.
 constexpr std::size_t kMaxPaired = 120;
 
 /// Points of all pairs' common hulls together: some seconds. Hulls of a robot's mesh have fifty, two hundred of a
