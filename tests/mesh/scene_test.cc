@@ -209,6 +209,27 @@ TEST_F(MeshScene, InstancesBeyondTheBoundAreRefused) {
   EXPECT_TRUE(loaded.mesh.positions.empty());
 }
 
+// assimp fills its memory with the first of them.
+TEST_F(MeshScene, IndicesThatAreNoNumbersAreRefused) {
+  const auto with = [](const std::string& list) {
+    Collada file;
+    const std::string good = "<p>0 1 2 3</p>";
+    file.shapes.replace(file.shapes.find(good), good.size(), list);
+    return read("a.dae", text(file));
+  };
+  for (const char* list :
+       {"<p>0 ; 2 3</p>", "<p>0,1,2,3</p>", "<p>0 1.0 2 3</p>", "<p\n>0 x 2 3</p>",
+        "<p><![CDATA[0 ; 2 3]]></p>", "<p><!-- 0 -->; 2 3</p>", "<p>0 &#59; 2 3</p>"}) {
+    const LoadedMesh loaded = with(list);
+    EXPECT_TRUE(has(loaded, FaultKind::kMalformed)) << list;
+    EXPECT_FALSE(loaded.usable()) << list;
+  }
+  for (const char* list :
+       {"<p>\n0\t1\r\n2 3 </p>", "<p >0 1 2 3</p>", "<!-- <p>;</p> --><p>0 1 2 3</p>"}) {
+    EXPECT_EQ(with(list).mesh.triangles.size(), 2U) << list;
+  }
+}
+
 TEST_F(MeshScene, APlyWhoseHeaderEndsWithinALineIsRefused) {
   const std::string good = kPly;
   const std::size_t end = good.find("\nend_header");
