@@ -102,6 +102,17 @@ TEST(Mount, AHeldBaseStaysWhereItIs) {
   EXPECT_LT(fallen(Base::kHang), 1e-4);
 }
 
+/// A ball that no joint holds would fall by 4.9 m in a second.
+TEST(Mount, WhatNoJointConnectsIsHeldToo) {
+  Scene scene = lamp(kSameSide);
+  hand::add_body(scene, hand::ball_mass(1, 0.05), {0, 0, 1});
+  const Scene held = mounted(scene, Base::kHang);
+  ASSERT_EQ(held.joints.size(), scene.joints.size() + 2);
+  EXPECT_EQ(held.joints[2].child, 0U);
+  EXPECT_EQ(held.joints[3].child, 3U);
+  EXPECT_EQ(mounted(held, Base::kHang).joints.size(), held.joints.size());
+}
+
 TEST(Mount, APlanSaysWhichBasesItHolds) {
   const Scene scene = lamp(kSameSide);
   const Planned planned = scenarios_of({.tests = {"settle", "hold", "push"}}, scene, {});

@@ -11,6 +11,7 @@
 #include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/metric/parts.h>
 #include <rigor/simulate/reach.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::simulate {
 namespace {
@@ -107,18 +108,25 @@ MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveT
 Scene mounted(const Scene& scene, Base base) {
   Scene held = scene;
   if (base == Base::kFree) return held;
-  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
-    if (!stands_free(scene, m)) continue;
-    const std::uint32_t body = scene.models[m].base;
+  const auto world = static_cast<std::uint32_t>(scene.bodies.size());
+  DisjointSets joined(scene.bodies.size() + 1);
+  for (const SceneJoint& joint : scene.joints) {
+    joined.join(std::min(joint.parent, world), std::min(joint.child, world));
+  }
+  const auto hold = [&](std::uint32_t body) {
+    if (body >= world || scene.models[scene.bodies[body].model].is_static) return;
+    if (!joined.join(body, world)) return;
     SceneJoint joint;
     joint.name = scene.bodies[body].name + "::mount";
     joint.type = model::JointType::kFixed;
     joint.child = body;
     joint.anchor_W = transform(scene.bodies[body].X_WB, scene.bodies[body].mass.com);
-    joint.model = m;
+    joint.model = scene.bodies[body].model;
     joint.where = scene.bodies[body].where;
     held.joints.push_back(std::move(joint));
-  }
+  };
+  for (const SceneModel& model : scene.models) hold(model.base);
+  for (std::uint32_t body = 0; body < world; ++body) hold(body);
   return held;
 }
 

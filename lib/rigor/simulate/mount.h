@@ -45,7 +45,8 @@ bool stands_by_itself(const Scene& scene, std::uint32_t model);
 /// stand. It is used bolted to something.
 bool is_to_be_bolted(const Scene& scene, std::uint32_t model, const DriveTrain& wheels);
 
-/// The scene with the base of each model that stands free joined to the world; as it is when `base` is free.
+/// The scene with the base of each model joined to the world where no joint does it, and so what no joint connects
+/// to the base, which would fall; as it is when `base` is free.
 /// Joints are added at the end, so that no index changes.
 Scene mounted(const Scene& scene, Base base);
 
