@@ -97,6 +97,7 @@ TEST(Metric, EachIsOfTheTableAndThereOnce) {
 
 TEST(Metric, BeyondALimitIsStrictAndNotANumberIsBeyondAll) {
   EXPECT_EQ(make_metric("ground.sink", 0.0015, {}).verdict, Verdict::kPass);
+  EXPECT_EQ(make_metric("ground.sink", 0.005002, {}).verdict, Verdict::kWarn);  // 5 mm, rounded
   EXPECT_EQ(make_metric("ground.sink", 0.0016, {}).verdict, Verdict::kWarn);
   EXPECT_EQ(make_metric("ground.sink", 0.0051, {}).verdict, Verdict::kFail);
   EXPECT_EQ(make_metric("rest.support_margin", 0.05, {}).verdict, Verdict::kWarn);

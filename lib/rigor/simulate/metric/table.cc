@@ -7,6 +7,7 @@
 #include <rigor/simulate/metric/parts.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor::simulate {
 namespace {
@@ -16,6 +17,9 @@ constexpr double kDegree = 0.017453292519943295;
 using enum FactKind;
 
 constexpr std::optional<double> kNone;
+
+/// Of a limit: what is at it but for how a file rounds, as pi/2 to 1.5708, is not beyond it.
+constexpr double kRounding = 1e-3;
 
 constexpr MetricRow kMetricRows[] = {
     // Poses that are no numbers, or farther away than 1000 sizes, are no matter of degree.
@@ -111,7 +115,9 @@ Metric make_metric(std::string_view id, double value, Fact about, double scale) 
   if (row->fail) metric.fail = *row->fail * scale;
   const auto beyond = [&](const std::optional<double>& limit) {
     if (!limit) return false;
-    return !(row->bad == BadSide::kAbove ? value <= *limit : value >= *limit);  // NaN is beyond
+    const double slack = kRounding * std::abs(*limit);
+    return !(row->bad == BadSide::kAbove ? value <= *limit + slack
+                                         : value >= *limit - slack);  // NaN is beyond
   };
   metric.verdict = beyond(metric.fail)   ? Verdict::kFail
                    : beyond(metric.warn) ? Verdict::kWarn
