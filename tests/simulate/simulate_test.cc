@@ -455,6 +455,24 @@ TEST(Simulate, ATaskIsHandedOverWhenItIsDone) {
   EXPECT_EQ(ended_before, (std::vector<std::size_t>{0, 2, 4}));
 }
 
+/// It falls, ever faster, and is never at rest: all of that is the missing mesh, which was said as the scene was built.
+TEST(Simulate, WhereAllCollisionsAreMissingTheFallIsNotExplained) {
+  Scene scene = hand::scene();
+  hand::add_body(scene, hand::box_mass(6, {0.2, 0.2, 0.2}), {0, 0, 0.1});
+  const DriveTrain wheels;
+  const auto settled = [&] {
+    const Facts causes;
+    const Task task{
+        scene, causes, {*make_test("settle", scene, wheels).scenario}, wheels, scene.solver};
+    return simulate::simulate({task}, {}, test::workers()).at(0).runs.at(0);
+  };
+  EXPECT_EQ(settled().verdict, Verdict::kFail);
+  EXPECT_FALSE(settled().facts.empty());
+  scene.models[0].missing_shapes = 1;
+  EXPECT_EQ(settled().verdict, Verdict::kWarn);
+  EXPECT_TRUE(settled().facts.empty());
+}
+
 TEST(Simulate, ACauseThatNoRunShowedComesFirstAndWarns) {
   const Scene scene = grounded_robot();
   const DriveTrain wheels = find_wheels(scene, {});
