@@ -218,6 +218,19 @@ TEST(BuildJoint, WithinOneBodyItIsIgnored) {
   EXPECT_EQ(b.places(FactKind::kJointIgnored), std::vector<std::string>{"j"});
 }
 
+/// At 1 kN it opens with 1,000 m/s if 1 (m/s)/N is its cfm: Gazebo's models have such for their damping.
+TEST(BuildJoint, WhatGivesWayIsIgnored) {
+  const auto with = [](const char* cfm) {
+    return built(jointed_model(
+        joint_text("revolute", std::string("<axis><xyz>0 0 1</xyz></axis><physics><ode><cfm>") +
+                                   cfm + "</cfm></ode></physics>")));
+  };
+  EXPECT_TRUE(with("1000").scene.joints.empty());
+  EXPECT_EQ(with("1000").places(FactKind::kJointIgnored), std::vector<std::string>{"1000"});
+  EXPECT_EQ(with("0.01").scene.joints.size(), 1U);
+  EXPECT_EQ(with("much").scene.joints.size(), 1U);
+}
+
 TEST(BuildJoint, WhatTheEngineLacksIsSaid) {
   const Built b = built(
       jointed_model(joint_text("revolute",

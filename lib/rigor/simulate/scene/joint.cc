@@ -43,6 +43,9 @@ constexpr std::array kIgnoredSettings{
     IgnoredSetting{"max_force", 0},    IgnoredSetting{"velocity", 0},
 };
 
+/// (m/s)/N with which a joint gives way at once to whatever pulls at it.
+constexpr double kGivesWay = 1;
+
 /// Of two axes in one joint, the sine of the angle between them: along one line they are one.
 constexpr double kMinAcrossAxes = 1e-3;
 
@@ -92,6 +95,9 @@ class JointBuilder {
     if (child == parent) {
       return say(FactKind::kJointIgnored, place(joint), joint, "both ends are one body");
     }
+    if (const std::optional<Span> cfm = giving_way(joint)) {
+      return say(FactKind::kJointIgnored, *cfm, joint, "its cfm lets it give way");
+    }
     SceneJoint out;
     out.name = scoped_name(root_, id);
     out.type = joint.type == JointType::kContinuous ? JointType::kRevolute : joint.type;
@@ -124,6 +130,16 @@ class JointBuilder {
   bool known(Id<model::Link> link) const { return draft_.link_of[link.value] != kWorld; }
   std::uint32_t body_of(Id<model::Link> link) const {
     return link && known(link) ? scene_.links[draft_.link_of[link.value]].body : kWorld;
+  }
+
+  /// Where the `<cfm>` is of a joint that is only there for its damping.
+  std::optional<Span> giving_way(const model::Joint& joint) const {
+    if (in_urdf(joint)) return std::nullopt;
+    const auto written = element_at(draft_.element(joint.site), {"physics", "ode", "cfm"});
+    if (!written) return std::nullopt;
+    const model::Parameter cfm = read::parameter_of(*written);
+    if (SceneDraft::parsed_number(cfm.value.value).value_or(0) < kGivesWay) return std::nullopt;
+    return cfm.value.span;
   }
 
   std::optional<SceneAxis> axis_of(Id<model::Joint> id, std::size_t k) {
