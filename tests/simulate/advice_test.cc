@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include <rigor/read/load.h>
@@ -71,6 +73,25 @@ TEST(Advice, TheTutorialRobotsWheelsHave200TimesTheInertiaOfTheirShape) {
   const Facts behind = explain({.kind = FactKind::kDriveBackwards}, causes);
   ASSERT_FALSE(behind.empty());
   EXPECT_EQ(behind[0].kind, FactKind::kCauseDefaultInertia);
+}
+
+/// A link without shapes may be a frame; of one whose mesh is missing nobody knows.
+TEST(Advice, ALinkWhoseMeshIsMissingIsNoFrame) {
+  const std::string path = testing::TempDir() + "rigor_advice_lost_mesh.sdf";
+  const auto help = [&](const std::string& shape) {
+    std::ofstream(path) << "<sdf version='1.9'><model name='m'><link name='a'>" + shape +
+                               "</link></model></sdf>";
+    const NoFile file(path);
+    const Scene scene = build_scene(file.files.input(), {}).scene;
+    const Facts causes = causes_in(scene, file.files.input(), {});
+    const std::vector<Fact> inertias = of_kind(causes, FactKind::kCauseDefaultInertia);
+    return inertias.empty() ? std::string() : inertias[0].help;
+  };
+  EXPECT_EQ(help(""), "replace the link with a `<frame>`, or give it a small `<inertial>`");
+  EXPECT_EQ(
+      help("<collision name='c'><geometry><mesh><uri>lost.stl</uri></mesh></geometry></collision>"),
+      "give it an `<inertial>`");
+  std::filesystem::remove(path);
 }
 
 TEST(Advice, NothingIsWrongWithAGoodRobot) { EXPECT_TRUE(causes_of(tutorial_robot()).empty()); }

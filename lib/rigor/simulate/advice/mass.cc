@@ -115,7 +115,10 @@ void add_default_of_frame(Causes& causes, const SceneLink& link, const mass::Res
   const double factor = mass::trace(taken.body.about_com) / 3 / moment_of_model(causes.scene);
   if (!(factor > 1)) return;
   Fact about{.where = link.where, .subject = subject_of(link.name, "link")};
-  about.help = "replace the link with a `<frame>`, or give it a small `<inertial>`";
+  const std::vector<SceneModel>& models = causes.scene.models;
+  const bool has_shape = link.model < models.size() && models[link.model].missing_shapes > 0;
+  about.help = has_shape ? "give it an `<inertial>`"
+                         : "replace the link with a `<frame>`, or give it a small `<inertial>`";
   causes.add(FactKind::kCauseDefaultInertia, std::move(about), 0, kInertiaFactor, factor, 1);
 }
 
