@@ -96,7 +96,9 @@ class JointBuilder {
       return say(FactKind::kJointIgnored, place(joint), joint, "both ends are one body");
     }
     if (const std::optional<Span> cfm = giving_way(joint)) {
-      return say(FactKind::kJointIgnored, *cfm, joint, "its cfm lets it give way");
+      say(FactKind::kJointIgnored, *cfm, joint, "its cfm lets it give way");
+      draft_.facts.back().help = "give it a smaller `<cfm>` if it is to hold";
+      return;
     }
     SceneJoint out;
     out.name = scoped_name(root_, id);
