@@ -218,17 +218,20 @@ TEST(BuildJoint, WithinOneBodyItIsIgnored) {
   EXPECT_EQ(b.places(FactKind::kJointIgnored), std::vector<std::string>{"j"});
 }
 
-/// At 1 kN it opens with 1,000 m/s if 1 (m/s)/N is its cfm: Gazebo's models have such for their damping.
+/// A newton opens it with 1,000 m/s, and nothing closes it: Gazebo's models have such for their damping. With an `<erp>` of
+/// 1 it is a spring of erp / (step cfm), 1,000 N/m, as in Gazebo's breakable_test.
 TEST(BuildJoint, WhatGivesWayIsIgnored) {
-  const auto with = [](const char* cfm) {
-    return built(jointed_model(
-        joint_text("revolute", std::string("<axis><xyz>0 0 1</xyz></axis><physics><ode><cfm>") +
-                                   cfm + "</cfm></ode></physics>")));
+  const auto with = [](const std::string& ode) {
+    return built(jointed_model(joint_text(
+        "revolute", "<axis><xyz>0 0 1</xyz></axis><physics><ode>" + ode + "</ode></physics>")));
   };
-  EXPECT_TRUE(with("1000").scene.joints.empty());
-  EXPECT_EQ(with("1000").places(FactKind::kJointIgnored), std::vector<std::string>{"1000"});
-  EXPECT_EQ(with("0.01").scene.joints.size(), 1U);
-  EXPECT_EQ(with("much").scene.joints.size(), 1U);
+  const auto soft = with("<erp>0</erp><cfm>1000</cfm>");
+  EXPECT_TRUE(soft.scene.joints.empty());
+  EXPECT_EQ(soft.places(FactKind::kJointIgnored), std::vector<std::string>{"1000"});
+  for (const char* holds : {"<erp>1</erp><cfm>1</cfm>", "<erp>0</erp><cfm>0.01</cfm>",
+                            "<cfm>1000</cfm>", "<erp>0</erp>", "<erp>0</erp><cfm>much</cfm>"}) {
+    EXPECT_EQ(with(holds).scene.joints.size(), 1U) << holds;
+  }
 }
 
 TEST(BuildJoint, WhatTheEngineLacksIsSaid) {

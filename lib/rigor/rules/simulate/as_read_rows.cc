@@ -89,7 +89,8 @@ std::span<const Row> as_read_rows() {
        .summary = "a joint is not simulated",
        .why =
            "Its type is not known to the engine, it does not connect two bodies, or its `<cfm>` of "
-           "1 (m/s)/N and more lets them go: they move as if it were not there.",
+           "1 (m/s)/N and more, with an `<erp>` of 0, lets them go: they move as if it were not "
+           "there.",
        .what_to_do =
            "Give the joint a type and two links; `rigor validate` reports what is wrong with it."},
       {.rule = {"simulate-element-ignored", FactKind::kElementIgnored, Severity::kInfo},

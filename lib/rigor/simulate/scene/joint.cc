@@ -134,14 +134,19 @@ class JointBuilder {
     return link && known(link) ? scene_.links[draft_.link_of[link.value]].body : kWorld;
   }
 
-  /// Where the `<cfm>` is of a joint that is only there for its damping.
+  /// Where the `<cfm>` is of a joint that is only there for its damping: with an `<erp>` it would be a spring.
   std::optional<Span> giving_way(const model::Joint& joint) const {
     if (in_urdf(joint)) return std::nullopt;
-    const auto written = element_at(draft_.element(joint.site), {"physics", "ode", "cfm"});
-    if (!written) return std::nullopt;
-    const model::Parameter cfm = read::parameter_of(*written);
-    if (SceneDraft::parsed_number(cfm.value.value).value_or(0) < kGivesWay) return std::nullopt;
-    return cfm.value.span;
+    const auto physics = element_at(draft_.element(joint.site), {"physics", "ode"});
+    if (!physics) return std::nullopt;
+    const model::Parameter ode = read::parameter_of(*physics);
+    const auto number = [&](std::string_view name, double otherwise) {
+      const model::Parameter* given = find(ode.children, name);
+      return given == nullptr ? otherwise
+                              : SceneDraft::parsed_number(given->value.value).value_or(otherwise);
+    };
+    if (number("erp", 1) != 0 || number("cfm", 0) < kGivesWay) return std::nullopt;
+    return find(ode.children, "cfm")->value.span;
   }
 
   std::optional<SceneAxis> axis_of(Id<model::Joint> id, std::size_t k) {
