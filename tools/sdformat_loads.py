@@ -10,7 +10,6 @@ result that does not. Exit 1 when there is one. Needs Debian's ignition-tools, s
 """
 
 import argparse
-import collections
 import concurrent.futures
 import os
 import subprocess
@@ -18,16 +17,9 @@ import sys
 import tempfile
 
 import wild
+import wild_simulate
 
 OPTIONS = ([], ["--inertia", "nearest"], ["--allow-loss"], ["--allow-loss", "--inertia", "nearest"])
-
-
-def urdf_files(corpus):
-    for folder, folders, files in os.walk(corpus):
-        folders.sort()
-        for file in sorted(files):
-            if file.endswith(".urdf"):
-                yield os.path.relpath(os.path.join(folder, file), corpus)
 
 
 def loads(program, corpus, path, search, words):
@@ -48,19 +40,16 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
     program, corpus = os.path.abspath(options.rigor), os.path.abspath(options.corpus)
-    files = list(urdf_files(corpus))
-    search = {name: wild.search_path(corpus, name) for name in {path.split("/")[0] for path in files}}
-    counts, faults = collections.Counter(), []
+    sets = [name for name in sorted(os.listdir(corpus)) if os.path.isdir(os.path.join(corpus, name))]
+    files = [path for name in sets for path in wild_simulate.models(corpus, name) if path.endswith(".urdf")]
+    search = {name: wild.search_path(corpus, name) for name in sets}
+    faults = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for words in OPTIONS:
-            told = pool.map(lambda path: loads(program, corpus, path, search[path.split("/")[0]], words), files)
-            for path, said in zip(files, told):
-                counts["made"] += said is not None
-                counts["load"] += said == ""
-                if said:
-                    faults.append((" ".join(words), path, said))
-            print(f"{' '.join(words) or 'no option':36} {counts['made']:4} of {len(files)} converted, {counts['load']:4} load", flush=True)
-            counts.clear()
+            told = list(pool.map(lambda path: loads(program, corpus, path, search[path.split("/")[0]], words), files))
+            made = [said for said in told if said is not None]
+            print(f"{' '.join(words) or 'no option':36} {len(made):4} of {len(files)} converted, {made.count(''):4} load", flush=True)
+            faults += [(" ".join(words), path, said) for path, said in zip(files, told) if said]
     for words, path, said in faults:
         print(f"\n{path} {words}\n  " + said.replace("\n", "\n  "))
     return 1 if faults else 0

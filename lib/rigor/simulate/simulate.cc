@@ -112,14 +112,6 @@ void call_unconfirmed(Run& run) {
   }
 }
 
-/// Whether nothing can touch the ground since no mesh of a collision could be read, which was said when the scene was built.
-bool lacks_all_collisions(const Scene& scene) {
-  return std::any_of(scene.models.begin(), scene.models.end(),
-                     [](const SceneModel& model) { return model.missing_shapes > 0; }) &&
-         std::all_of(scene.shapes.begin(), scene.shapes.end(),
-                     [](const SceneShape& shape) { return shape.body == kWorld; });
-}
-
 /// The verdict, and what is to be said about it, each fact with what is likely to be behind it: a cause of several is reported
 /// with each.
 void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
@@ -129,10 +121,9 @@ void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
     refused.severe = run.verdict == Verdict::kInvalid;
     run.facts.push_back(std::move(refused));
   }
-  const bool falls = run.scenario.base == Base::kFree && lacks_all_collisions(scene);
   for (const Metric& metric : run.metrics) {
     run.verdict = worse(run.verdict, metric.verdict);
-    if (!metric.fact || (falls && hangs_on_contacts(metric.fact->kind))) continue;
+    if (!metric.fact) continue;
     run.facts.push_back(*metric.fact);
     for (Fact& cause : explain(*metric.fact, causes)) {
       cause.test = run.test;

@@ -66,20 +66,21 @@ bool importer_failed(const LoadedMesh& loaded) {
 /// Whether the text of each <p>, a list of indices, holds whole numbers only.
 bool lists_whole_numbers(std::string_view bytes) {
   constexpr std::string_view kTag = "<p";
-  constexpr std::string_view kSpace = " \t\r\n";
+  constexpr std::string_view kAfterTag = "> \t\r\n";
   constexpr std::string_view kListed = "0123456789+- \t\r\n";
   for (std::size_t at = bytes.find(kTag); at != std::string_view::npos; at = bytes.find(kTag, at)) {
     at += kTag.size();
-    const char next = at < bytes.size() ? bytes[at] : '\0';
-    if (next != '>' && kSpace.find(next) == std::string_view::npos) continue;
-    at = std::min(bytes.find('>', at), bytes.size());
-    const std::size_t end = bytes.find_first_not_of(kListed, std::min(at + 1, bytes.size()));
-    if (end == std::string_view::npos || bytes.substr(end, 2) != "</") return false;
+    if (at == bytes.size() || kAfterTag.find(bytes[at]) == std::string_view::npos) continue;
+    at = bytes.find('>', at);
+    if (at == std::string_view::npos) return false;
+    at = bytes.find_first_not_of(kListed, at + 1);
+    if (at == std::string_view::npos || bytes.substr(at, 2) != "</") return false;
   }
   return true;
 }
 
-/// When both readers say no, the importer's reason counts. assimp looks for an index for ever where there is none.
+/// When both readers say no, the importer's reason counts. assimp looks for an index for ever where there is none, and is
+/// not asked then.
 LoadedMesh load_collada(const Disk& disk, const std::string& path, std::string_view bytes,
                         const process::Workers& workers) {
   if (!lists_whole_numbers(bytes)) return read_collada(bytes);

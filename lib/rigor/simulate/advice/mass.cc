@@ -116,9 +116,9 @@ void add_default_of_frame(Causes& causes, const SceneLink& link, const mass::Res
   if (!(factor > 1)) return;
   Fact about{.where = link.where, .subject = subject_of(link.name, "link")};
   const std::vector<SceneModel>& models = causes.scene.models;
-  const bool has_shape = link.model < models.size() && models[link.model].missing_shapes > 0;
-  about.help = has_shape ? "give it an `<inertial>`"
-                         : "replace the link with a `<frame>`, or give it a small `<inertial>`";
+  const bool lacks_mesh = link.model < models.size() && models[link.model].missing_shapes > 0;
+  about.help = lacks_mesh ? "give it an `<inertial>`"
+                          : "replace the link with a `<frame>`, or give it a small `<inertial>`";
   causes.add(FactKind::kCauseDefaultInertia, std::move(about), 0, kInertiaFactor, factor, 1);
 }
 

@@ -19,15 +19,21 @@ std::string scoped_to_model(std::string_view scoped) {
   return at == std::string_view::npos ? std::string() : std::string(scoped.substr(0, at));
 }
 
-/// Of a scene that lacks collisions nobody knows how it would stand with them.
+/// Of a scene that lacks collisions nobody knows how it would stand with them. Without any it falls, of which nothing is said:
+/// that the meshes are missing was, when the scene was built.
 void forgive_missing_meshes(MetricSheet& sheet) {
   const auto lacks = [](const SceneModel& model) { return model.missing_shapes > 0; };
+  const auto of_world = [](const SceneShape& shape) { return shape.body == kWorld; };
   const auto& models = sheet.scene.models;
+  const auto& shapes = sheet.scene.shapes;
   if (std::none_of(models.begin(), models.end(), lacks)) return;
+  const bool falls =
+      sheet.scenario.base == Base::kFree && std::all_of(shapes.begin(), shapes.end(), of_world);
   for (Metric& metric : sheet.metrics) {
-    if (metric.verdict != Verdict::kFail || !hangs_on_contacts(metric.fact->kind)) continue;
+    if (!metric.fact || !hangs_on_contacts(metric.fact->kind)) continue;
     metric.verdict = Verdict::kWarn;
     metric.fact->severe = false;
+    if (falls) metric.fact.reset();
   }
 }
 

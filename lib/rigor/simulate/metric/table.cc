@@ -19,7 +19,7 @@ using enum FactKind;
 constexpr std::optional<double> kNone;
 
 /// Of a limit: what is at it but for how a file rounds, as pi/2 to 1.5708, is not beyond it.
-constexpr double kRounding = 1e-3;
+constexpr double kRounding = 1e-4;
 
 constexpr MetricRow kMetricRows[] = {
     // Poses that are no numbers, or farther away than 1000 sizes, are no matter of degree.
