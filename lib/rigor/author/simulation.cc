@@ -4,6 +4,7 @@
 #include <rigor/author/simulation.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include <rigor/simulate/pose/group_state.h>
 #include <rigor/simulate/pose/stand_pose.h>
 #include <rigor/simulate/scene/input.h>
+#include <rigor/xml/document.h>
 
 namespace rigor::author {
 namespace {
@@ -121,6 +123,19 @@ class Causes {
   std::string remedies_;
 };
 
+/// Of a file that consumers read no further than a fault in its text: nobody knows the rest.
+std::optional<simulate::Fact> not_well_formed(const read::Loaded& loaded) {
+  const auto& document = loaded.file->document;
+  if (!document || document->complete()) return std::nullopt;
+  simulate::Fact fact{.kind = simulate::FactKind::kUnreadable, .name = "it is not well-formed"};
+  for (const xml::Fault& fault : document->faults()) {
+    const bool is_read_no_further =
+        xml::is_fatal(fault.kind) || fault.kind == xml::FaultKind::kDeclarationNotFirst;
+    if (is_read_no_further && fact.where.nowhere()) fact.where = fault.where;
+  }
+  return fact;
+}
+
 bool is_listed(const Diagnostic& diagnostic, const std::vector<Diagnostic>& list) {
   return std::any_of(list.begin(), list.end(), [&](const Diagnostic& known) {
     return known.rule == diagnostic.rule && known.where == diagnostic.where &&
@@ -141,6 +156,9 @@ Simulator::Simulator(const Environment& environment, const Sources& sources,
 
 PreparedModel Simulator::prepare(const read::Loaded& loaded,
                                  const model::JointPositions& positions) const {
+  if (const std::optional<simulate::Fact> fault = not_well_formed(loaded)) {
+    return {loaded, {{}, {*fault}}, {}, {}, {}};
+  }
   const simulate::SceneFiles files(loaded, workspace_, environment_.resolver, environment_.workers,
                                    positions);
   PreparedModel model{loaded, simulate::build_scene(files.input(), options_.scene), {}, {}};
