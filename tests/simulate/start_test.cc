@@ -50,7 +50,29 @@ TEST(Start, ZeroOutsideTheLimitsIsTheNearerOne) {
 TEST(Start, APlaceThatIsToldCounts) {
   const Built b = built(bent_arm(), {}, {}, {{"r::elbow", {-2, 0}}});
   EXPECT_EQ(b.scene.joints[0].axes[0].start, -2);
-  EXPECT_EQ(b.scene.joints[1].axes[0].start, 0);
+  EXPECT_EQ(b.scene.joints[1].axes[0].start, -3) << "2 · -2 + 0.1, as far as its stop";
+  EXPECT_TRUE(b.places(FactKind::kStartMoved).empty());
+  const Built told = built(bent_arm(), {}, {}, {{"r::elbow", {-2, 0}}, {"r::tendon", {1, 0}}});
+  EXPECT_EQ(told.scene.joints[1].axes[0].start, 1);
+}
+
+/// The lower arm turns on the upper one by 0.1 rad at the leader's zero, and the hand by twice that.
+TEST(Start, FollowersOfAJointAtZeroBeginAtTheirOffset) {
+  std::string text = bent_arm();
+  text = text.replace(text.find("upper=\"-0.5\""), 12, "upper=\"0.50\"");
+  const std::string hand =
+      "<link name=\"hand\">" + kStartInertial +
+      "</link><joint name=\"wrist\" type=\"continuous\"><parent link=\"lower\"/><child "
+      "link=\"hand\"/><axis xyz=\"0 0 1\"/><mimic joint=\"tendon\" multiplier=\"2\"/></joint>"
+      "<link name=\"tip\">" +
+      kStartInertial +
+      "</link><joint name=\"loose\" type=\"continuous\"><parent link=\"hand\"/><child "
+      "link=\"tip\"/><axis xyz=\"0 0 1\"/><mimic joint=\"nobody\" offset=\"1\"/></joint>";
+  const Built b = built(text.insert(text.find("</robot>"), hand));
+  EXPECT_EQ(b.scene.joints[0].axes[0].start, 0);
+  EXPECT_NEAR(b.scene.joints[1].axes[0].start, 0.1, 1e-12);
+  EXPECT_NEAR(b.scene.joints[2].axes[0].start, 0.2, 1e-12);
+  EXPECT_EQ(b.scene.joints[3].axes[0].start, 0) << "there is no leader";
   EXPECT_TRUE(b.places(FactKind::kStartMoved).empty());
 }
 

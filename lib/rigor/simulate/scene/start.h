@@ -18,8 +18,8 @@ struct Start {
 };
 
 /// A URDF says nothing of where its joints stand. They begin at zero, or where zero is outside their
-/// limits at the nearer one, with those that mimic them; `positions` go before. The joints of an SDF model
-/// stand where its links are.
+/// limits at the nearer one, and those that mimic them where that puts them; `positions` go before. The joints
+/// of an SDF model stand where its links are.
 Start start_within_limits(const model::Root& root, model::JointPositions positions);
 
 }  // namespace rigor::simulate
