@@ -36,6 +36,12 @@ struct RunOrder {
   SolverSettings settings;
 };
 
+/// Whether the exact solver, which nobody asked for, left steps unsolved: all stands still in those.
+bool gave_up(const RunOrder& order, const Record& record) {
+  return record.solver_messages > 0 && order.settings.engine == EngineKind::kOde &&
+         order.settings.solver == Solver::kDantzig && order.task->solver.solver == Solver::kQuick;
+}
+
 process::Request request_of(const RunOrder& order) {
   return run_request(stage(order.task->scene, *order.scenario), *order.scenario, order.settings);
 }
@@ -275,6 +281,11 @@ class Runs {
     }
     if (job.variant) {
       one.agains[*job.variant] = again_of(one, *job.variant, std::move(record));
+    } else if (gave_up(one.order, record)) {
+      one.order.settings.solver = Solver::kQuick;
+      ++total_;
+      waiting_.push_front({job.run, std::nullopt});
+      return;
     } else {
       one.run = judged_run(one.order, std::move(record));
       one.failed = failed(one.run);
