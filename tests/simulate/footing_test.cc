@@ -108,6 +108,14 @@ TEST(Footing, WhatAJointHoldsHangs) {
   EXPECT_FALSE(moving_freely(b.scene, scenario)[0]);  // held by a motor
 }
 
+TEST(Footing, AMotorWithoutEffortHoldsNothing) {
+  Built b = built(world_of(pendulum("revolute")));
+  const Scenario scenario{.name = "s", .commands = {{.kind = CommandKind::kVelocity}}};
+  EXPECT_FALSE(moving_freely(b.scene, scenario)[0]);
+  b.scene.joints[0].axes[0].effort = 0;
+  EXPECT_TRUE(moving_freely(b.scene, scenario)[0]);
+}
+
 simulate::Run tried(std::string_view test, const std::string& text) {
   const Built b = built(text);
   EXPECT_FALSE(b.blocked);

@@ -353,6 +353,22 @@ TEST(Tests, WheelsForksAndWhatCarriesAWheelRoll) {
   EXPECT_TRUE(rolling_joints(scene)[1]);
 }
 
+TEST(Tests, JointsWithoutAnEffortAreNeitherHeldNorSwept) {
+  Scene scene = crate_with_pole();
+  scene.joints[0].axes[0].effort = 0;
+  const std::string why = "no motor can move a joint: their effort limits are 0";
+  for (const char* test : {"hold", "joint-sweep"}) {
+    EXPECT_EQ(make_test(test, scene, {}).why_not, why);
+  }
+  SceneBody arm = scene.bodies[1];
+  scene.bodies.push_back(arm);
+  scene.joints.push_back(hinge("crate::arm_joint", 1, 2, {0.4, 0, 0.5}, {0, -1, 0}));
+  const MadeTest hold = make_test("hold", scene, {});
+  ASSERT_EQ(hold.scenario->commands.size(), 1U);
+  EXPECT_EQ(hold.scenario->commands[0].joint, 1U);
+  EXPECT_EQ(hold.note, "joints whose effort limit is 0 move freely");
+}
+
 TEST(Tests, JointsAreHeldAndSweptFromWhereTheyStart) {
   Scene scene = crate_with_pole();
   scene.joints[0].axes[0].start = 0.4;

@@ -218,10 +218,13 @@ class FootingFinder {
   std::vector<const SceneShape*> lands_;
 };
 
-bool is_commanded(const Scenario& scenario, std::uint32_t joint) {
+/// By a command that the joint has an effort for.
+bool is_held(const Scene& scene, const Scenario& scenario, std::uint32_t joint) {
+  const std::vector<SceneAxis>& axes = scene.joints[joint].axes;
   return std::any_of(scenario.commands.begin(), scenario.commands.end(),
                      [&](const Command& command) {
-                       return command.joint == joint && command.kind != CommandKind::kEffort;
+                       return command.joint == joint && command.kind != CommandKind::kEffort &&
+                              (command.axis >= axes.size() || axes[command.axis].effort > 0);
                      });
 }
 
@@ -250,7 +253,8 @@ std::vector<bool> moving_freely(const Scene& scene, const Scenario& scenario) {
     if (body >= scene.bodies.size() || !joint.mimics.empty()) continue;
     const bool can_move =
         joint.type != model::JointType::kFixed && joint.type != model::JointType::kGearbox;
-    if (can_move && !is_commanded(scenario, j)) loose[groups.root(scene.bodies[body].model)] = true;
+    if (can_move && !is_held(scene, scenario, j))
+      loose[groups.root(scene.bodies[body].model)] = true;
   }
   for (std::size_t b = 0; b < free.size(); ++b) {
     const std::uint32_t model = scene.bodies[b].model;

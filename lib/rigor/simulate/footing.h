@@ -31,7 +31,7 @@ struct Footing {
 std::vector<Footing> footings_of(const Scene& scene);
 
 /// Of each body, whether it may move for as long as energy lasts: it is in the air, or hangs on joints
-/// of which one has no command.
+/// of which one has no command, or no effort.
 std::vector<bool> moving_freely(const Scene& scene, const Scenario& scenario);
 
 }  // namespace rigor::simulate

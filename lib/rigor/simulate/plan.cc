@@ -229,6 +229,7 @@ void add_test(const Plan& plan, const std::string& test, const Scene& scene,
     made.scenario->solver = Solver::kDantzig;
   }
   if (!mount.why.empty()) notes.add(test, mount.why);
+  if (!made.note.empty()) planned.notes.push_back(test + ": " + made.note);
   planned.scenarios.push_back(std::move(*made.scenario));
 }
 
@@ -240,7 +241,7 @@ Planned scenarios_of(const Plan& plan, const Scene& scene, const DriveTrain& whe
   for (const std::string& test : plan.tests) {
     add_test(plan, test, scene, wheels, notes, planned);
   }
-  planned.notes = notes.in_words();
+  for (std::string& note : notes.in_words()) planned.notes.push_back(std::move(note));
   Planner planner(scene, planned);
   for (const std::string& name : plan.wheels) planner.need_joint(name);
   for (const config::ScenarioFile& file : plan.scenarios) planner.add(file);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <rigor/simulate/joint_load.h>
@@ -66,16 +68,36 @@ SweepRange sweep_range(const Scene& scene, const SceneJoint& joint) {
   return range;
 }
 
-std::vector<std::uint32_t> joints_to_move(const Scene& scene, const DriveTrain& wheels) {
-  const std::vector<bool> rolling = rolling_joints(scene);
+/// The joints that motors move.
+struct DrivenJoints {
   std::vector<std::uint32_t> joints;
+  bool some_lack_effort = false;  ///< whether there are more, but that their effort limit is 0
+
+  std::string why_none() const {
+    return some_lack_effort ? "no motor can move a joint: their effort limits are 0"
+                            : "no joint can be moved by itself";
+  }
+};
+
+DrivenJoints driven_joints(const Scene& scene, const DriveTrain& wheels) {
+  const std::vector<bool> rolling = rolling_joints(scene);
+  DrivenJoints driven;
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     if (!can_be_commanded(joint) || joint.child >= scene.bodies.size()) continue;
     if (is_wheel_joint(wheels, j) || rolling[j] || joint.axes[0].spring_stiffness != 0) continue;
-    if (joint.axes[0].lower < joint.axes[0].upper) joints.push_back(j);
+    if (!(joint.axes[0].lower < joint.axes[0].upper)) continue;
+    if (joint.axes[0].effort > 0) {
+      driven.joints.push_back(j);
+    } else {
+      driven.some_lack_effort = true;
+    }
   }
-  return joints;
+  return driven;
+}
+
+std::string effort_note(const DrivenJoints& driven) {
+  return driven.some_lack_effort ? "joints whose effort limit is 0 move freely" : "";
 }
 
 /// Speeds up and slows down evenly, and ends exactly at `to`.
@@ -169,8 +191,9 @@ class SweepSchedule {
 }  // namespace
 
 MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
-  const std::vector<std::uint32_t> joints = joints_to_move(scene, wheels);
-  if (joints.empty()) return {{}, "no joint can be moved by itself"};
+  const DrivenJoints driven = driven_joints(scene, wheels);
+  const std::vector<std::uint32_t>& joints = driven.joints;
+  if (joints.empty()) return {{}, driven.why_none()};
   Scenario scenario{.name = "joint-sweep", .spawn = Spawn::kOnGround};
   const double settled = settling_time(scene) / 2;
   scenario.phases.push_back({"settle", 0, settled});
@@ -197,14 +220,15 @@ MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
     if (is_swept) add_stand(joints[i], swept[i].end, time, scenario);
   }
   add_drive(wheels, 0, 0, {"", 0, time}, 0, scenario);
-  return {std::move(scenario), {}};
+  return {std::move(scenario), {}, effort_note(driven)};
 }
 
 MadeTest make_hold(const Scene& scene, const DriveTrain& wheels) {
   Scenario scenario{.name = "hold", .duration = kHoldTime, .spawn = Spawn::kOnGround};
   scenario.phases = {{"hold", 0, kHoldTime}, rest_of(0, kHoldTime)};
   const JointLoads loads(scene);
-  for (const std::uint32_t j : joints_to_move(scene, wheels)) {
+  const DrivenJoints driven = driven_joints(scene, wheels);
+  for (const std::uint32_t j : driven.joints) {
     const SceneAxis& axis = scene.joints[j].axes[0];
     scenario.commands.push_back({.joint = j,
                                  .kind = CommandKind::kPosition,
@@ -213,9 +237,9 @@ MadeTest make_hold(const Scene& scene, const DriveTrain& wheels) {
                                  .gains = hold_gains(loads, scene.joints[j]),
                                  .control = Control::kImplicit});
   }
-  if (scenario.commands.empty()) return {{}, "no joint can be held"};
+  if (scenario.commands.empty()) return {{}, driven.why_none()};
   add_drive(wheels, 0, 0, {"", 0, kHoldTime}, 0, scenario);
-  return {std::move(scenario), {}};
+  return {std::move(scenario), {}, effort_note(driven)};
 }
 
 }  // namespace rigor::simulate

@@ -24,6 +24,7 @@ inline constexpr std::array<std::string_view, 9> kTestNames{
 struct MadeTest {
   std::optional<Scenario> scenario;
   std::string why_not;  ///< "no wheels found: …"
+  std::string note;     ///< what of the model it leaves out
 };
 
 MadeTest make_test(std::string_view name, const Scene& scene, const DriveTrain& wheels);
