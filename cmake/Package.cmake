@@ -59,7 +59,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libmujoco2.2.2)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF, xacro, MJCF)
 before a simulator loads it: XML, schema, names, references, frames, inertia,
-joints, shapes, meshes and packages, each finding with its place and what to do.
+joints, shapes, meshes and packages, each finding with its place and what to
+do.
 .
 It also computes mass and inertia exactly, checks and repairs meshes, converts
 between the formats with an account of every loss, edits models with a proof of
