@@ -13,7 +13,7 @@ namespace rigor::test {
 namespace {
 
 /// One error of the category kinematics, joint-limit-inverted.
-constexpr const char* kInverted = R"(<sdf version="1.9">
+constexpr const char* kInvertedArm = R"(<sdf version="1.9">
   <model name="arm">
     <static>true</static>
     <link name="base"/>
@@ -29,7 +29,7 @@ constexpr const char* kInverted = R"(<sdf version="1.9">
 
 class ValidateOptionsTogether : public testing::Test {
  protected:
-  ValidateOptionsTogether() { folder_.put("arm.sdf", kInverted); }
+  ValidateOptionsTogether() { folder_.put("arm.sdf", kInvertedArm); }
   Ran validate(const std::string& options) const {
     return folder_.rigor("validate --format concise arm.sdf " + options);
   }

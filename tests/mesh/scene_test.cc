@@ -20,7 +20,7 @@ namespace rigor::mesh {
 namespace {
 
 /// What a test varies in a Collada file with one geometry: the unit square in x and y.
-struct Collada {
+struct ColladaScene {
   std::string asset;
   std::string nodes = "<node><instance_geometry url='#square'/></node>";
   std::string shapes =
@@ -30,7 +30,7 @@ struct Collada {
   std::string corners = "0 0 0 1 0 0 1 1 0 0 1 0";
 };
 
-std::string text(const Collada& file) {
+std::string text(const ColladaScene& file) {
   return "<?xml version='1.0'?>\n"
          "<COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset>" +
          file.asset +
@@ -83,7 +83,7 @@ LoadedMesh read(const std::string& path, std::string bytes) {
   return read_scene(disk, path, test::workers());
 }
 
-LoadedMesh read(const Collada& file) { return read("m/a.dae", text(file)); }
+LoadedMesh read(const ColladaScene& file) { return read("m/a.dae", text(file)); }
 
 /// Twice the vector area, which says where the outside is.
 Vector3 doubled_area(const TriangleMesh& mesh, const Part& part) {
@@ -105,7 +105,7 @@ class MeshScene : public testing::Test {
 };
 
 TEST_F(MeshScene, QuadsBecomeFans) {
-  const LoadedMesh loaded = read(Collada{});
+  const LoadedMesh loaded = read(ColladaScene{});
   ASSERT_TRUE(loaded.usable());
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_EQ(loaded.format, Format::kCollada);
@@ -118,13 +118,13 @@ TEST_F(MeshScene, QuadsBecomeFans) {
 
 TEST_F(MeshScene, UnitIsExactAndUpIsNotTurned) {
   const LoadedMesh loaded =
-      read(Collada{.asset = "<unit name='inch' meter='0.0254'/><up_axis>Y_UP</up_axis>"});
+      read(ColladaScene{.asset = "<unit name='inch' meter='0.0254'/><up_axis>Y_UP</up_axis>"});
   ASSERT_TRUE(loaded.usable());
   EXPECT_EQ(facet(loaded.mesh, loaded.mesh.triangles[0])[2], (Vector3{0.0254, 0.0254, 0}));
 }
 
 TEST_F(MeshScene, NodesInsideNodesAreAppliedInOrder) {
-  const LoadedMesh loaded = read(Collada{
+  const LoadedMesh loaded = read(ColladaScene{
       .asset = "<unit meter='0.001'/><up_axis>X_UP</up_axis>",
       .nodes = "<node><translate>10 0 0</translate><rotate>0 0 1 90</rotate>"
                "<node><scale>2 3 4</scale><instance_geometry url='#square'/></node></node>"});
@@ -138,7 +138,7 @@ TEST_F(MeshScene, NodesInsideNodesAreAppliedInOrder) {
 }
 
 TEST_F(MeshScene, InstancesRepeatAndMirrorsKeepTheOutside) {
-  const LoadedMesh loaded = read(Collada{
+  const LoadedMesh loaded = read(ColladaScene{
       .nodes = "<node name='left'><instance_geometry url='#square'/></node>"
                "<node name='right'><scale>-1 1 1</scale><instance_geometry url='#square'/></node>"
                "<node><scale>-1 -1 1</scale><instance_geometry url='#square'/></node>"});
@@ -157,7 +157,7 @@ TEST_F(MeshScene, InstancesRepeatAndMirrorsKeepTheOutside) {
 }
 
 TEST_F(MeshScene, LinesAreCountedAndPassedOver) {
-  Collada file;
+  ColladaScene file;
   const std::string lines =
       "<lines count='2'><input semantic='VERTEX' source='#v' offset='0'/>"
       "<p>0 1 2 3</p></lines>";
@@ -177,7 +177,7 @@ TEST_F(MeshScene, LinesAreCountedAndPassedOver) {
 }
 
 TEST_F(MeshScene, NotFiniteIsCountedAndGivesNoMesh) {
-  const LoadedMesh loaded = read(Collada{.corners = "0 0 0 1e999 0 0 1 nan 0 0 1 0"});
+  const LoadedMesh loaded = read(ColladaScene{.corners = "0 0 0 1e999 0 0 1 nan 0 0 1 0"});
   EXPECT_FALSE(loaded.usable());
   EXPECT_TRUE(has(loaded, FaultKind::kNotFinite));
   EXPECT_TRUE(loaded.mesh.triangles.empty());
@@ -186,12 +186,12 @@ TEST_F(MeshScene, NotFiniteIsCountedAndGivesNoMesh) {
 TEST_F(MeshScene, InstancesBeyondTheBoundAreRefused) {
   // Each level holds the one below eight times: 8^4 polygons of 12,998 triangles are 53 million.
   constexpr int kLevels = 4;
-  constexpr int kCorners = 13'000;
+  constexpr int kPolygonCorners = 13'000;
   std::string polygon =
       "<polylist count='1'><input semantic='VERTEX' source='#v' offset='0'/>"
       "<vcount>" +
-      std::to_string(kCorners) + "</vcount><p>";
-  for (int i = 0; i < kCorners; ++i) polygon += std::to_string(i % 4) + " ";
+      std::to_string(kPolygonCorners) + "</vcount><p>";
+  for (int i = 0; i < kPolygonCorners; ++i) polygon += std::to_string(i % 4) + " ";
   std::string library = "<library_nodes><node id='n0'><instance_geometry url='#square'/></node>";
   for (int level = 1; level <= kLevels; ++level) {
     library += "<node id='n" + std::to_string(level) + "'>";
@@ -200,8 +200,9 @@ TEST_F(MeshScene, InstancesBeyondTheBoundAreRefused) {
     }
     library += "</node>";
   }
-  Collada file{.nodes = "<node><instance_node url='#n" + std::to_string(kLevels) + "'/></node>",
-               .shapes = polygon + "</p></polylist>"};
+  ColladaScene file{
+      .nodes = "<node><instance_node url='#n" + std::to_string(kLevels) + "'/></node>",
+      .shapes = polygon + "</p></polylist>"};
   std::string bomb = text(file);
   bomb.insert(bomb.find("<library_visual_scenes>"), library + "</library_nodes>");
   const LoadedMesh loaded = read("a.dae", bomb);
@@ -212,7 +213,7 @@ TEST_F(MeshScene, InstancesBeyondTheBoundAreRefused) {
 // assimp fills its memory with the first of them.
 TEST_F(MeshScene, IndicesThatAreNoNumbersAreRefused) {
   const auto with = [](const std::string& list) {
-    Collada file;
+    ColladaScene file;
     const std::string good = "<p>0 1 2 3</p>";
     file.shapes.replace(file.shapes.find(good), good.size(), list);
     return read("a.dae", text(file));
@@ -332,7 +333,7 @@ TEST_F(MeshScene, WhatIsNoSceneIsMalformedOrEmpty) {
 /// Without a worker a file is not to blame, and a Collada file is read by rigor's own reader.
 TEST(MeshSceneWithoutWorker, TheFaultIsNoneOfTheFile) {
   const process::Workers none("/nowhere/rigor-worker");
-  const MemoryDisk disk({{"a.ply", kPly}, {"a.dae", text(Collada{})}});
+  const MemoryDisk disk({{"a.ply", kPly}, {"a.dae", text(ColladaScene{})}});
   const LoadedMesh loaded = read_scene(disk, "a.ply", none);
   ASSERT_EQ(loaded.faults.size(), 1U);
   EXPECT_EQ(loaded.faults[0].kind, FaultKind::kWorkerMissing);
@@ -342,7 +343,7 @@ TEST(MeshSceneWithoutWorker, TheFaultIsNoneOfTheFile) {
 }
 
 TEST_F(MeshScene, CutAnywhereItIsNoMeshOrASmallerOne) {
-  const std::string whole = text(Collada{});
+  const std::string whole = text(ColladaScene{});
   for (std::size_t size = 0; size < whole.size(); size += 61) {
     const LoadedMesh loaded = read("a.dae", whole.substr(0, size));
     EXPECT_LE(loaded.mesh.triangles.size(), 2U);

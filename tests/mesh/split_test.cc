@@ -62,7 +62,7 @@ void expect_nothing_lost(const TriangleMesh& mesh, const Split& split) {
 }
 
 /// Three bodies in which triangles of two materials take turns, with numbered corners.
-TriangleMesh dressed() {
+TriangleMesh three_dressed() {
   TriangleMesh mesh = bodies().back().mesh;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto n = static_cast<float>(i);
@@ -80,7 +80,7 @@ TriangleMesh dressed() {
 }
 
 TEST(Split, ComponentsAreClosedPiecesOfTheirOwn) {
-  const TriangleMesh mesh = dressed();
+  const TriangleMesh mesh = three_dressed();
   const Split split = split_by_component(mesh);
   ASSERT_EQ(split.pieces.size(), 3U);
   EXPECT_EQ(split.count, 3U);
@@ -96,7 +96,7 @@ TEST(Split, ComponentsAreClosedPiecesOfTheirOwn) {
 }
 
 TEST(Split, MaterialsComeInTheOrderOfTheirTriangles) {
-  const TriangleMesh mesh = dressed();
+  const TriangleMesh mesh = three_dressed();
   const Split split = split_by_material(mesh);
   ASSERT_EQ(split.pieces.size(), 2U);
   expect_nothing_lost(mesh, split);

@@ -167,10 +167,10 @@ std::vector<std::string> candidates(const std::vector<ShapeName>& all,
   return result;
 }
 
-class Attacher {
+class MeshAttacher {
  public:
-  Attacher(const Environment& environment, const Sources& sources, const read::Loaded& loaded,
-           const NewMesh& mesh)
+  MeshAttacher(const Environment& environment, const Sources& sources, const read::Loaded& loaded,
+               const NewMesh& mesh)
       : environment_(environment),
         resolver_(environment.resolver),
         sources_(sources),
@@ -285,7 +285,7 @@ class Attacher {
 
 AttachedMesh attach_mesh(const Environment& environment, const Sources& sources,
                          const read::Loaded& loaded, std::string_view name, const NewMesh& mesh) {
-  return Attacher(environment, sources, loaded, mesh).attach(name);
+  return MeshAttacher(environment, sources, loaded, mesh).attach(name);
 }
 
 }  // namespace rigor::author

@@ -62,7 +62,7 @@ std::optional<std::string> with_last_parts(std::string_view uri, std::string_vie
 }
 
 std::string seen_from(const std::string& file, const std::string& mesh) {
-  return relative_path(parent_path(file), mesh).value_or(mesh);
+  return relative_path(parent_path(file), mesh);
 }
 
 /// The nearest folder at or above the file's that holds a file of this name.
@@ -79,21 +79,6 @@ std::optional<std::string> folder_with(const Disk& disk, const std::string& file
 }
 
 }  // namespace
-
-std::optional<std::string> relative_path(std::string_view folder, std::string_view path) {
-  if (is_absolute(folder) != is_absolute(path)) return std::nullopt;
-  const std::string from = normalize_path(folder);
-  const std::string to = normalize_path(path);
-  const std::vector<std::string_view> above = parts_of(from);
-  const std::vector<std::string_view> below = parts_of(to);
-  const std::size_t same = common(above, below);
-  std::string result;
-  for (std::size_t i = same; i < above.size(); ++i) {
-    if (above[i] == "..") return std::nullopt;
-    result += "../";
-  }
-  return result + joined(below, same);
-}
 
 std::optional<std::string> renamed_uri(const read::Resolver& resolver, const std::string& uri,
                                        const std::string& file, const std::string& from,
@@ -118,15 +103,17 @@ NewUri new_uri(const read::Resolver& resolver, model::Format format, const std::
   if (!folder) return {seen_from(file, mesh), std::nullopt};
 
   NewUri result;
-  std::optional<std::string> inside = relative_path(*folder, mesh);
-  if (!inside || inside->starts_with("../")) {
+  std::string inside = relative_path(*folder, mesh);
+  const bool elsewhere = is_absolute(inside) || inside.starts_with("../") ||
+                         join_path(*folder, inside) != normalize_path(mesh);
+  if (elsewhere) {
     inside = "meshes/" + std::string(file_name(mesh));
-    result.copy = MeshCopy{mesh, join_path(*folder, *inside)};
+    result.copy = MeshCopy{mesh, join_path(*folder, inside)};
   }
-  const std::string path = join_path(*folder, *inside);
+  const std::string path = join_path(*folder, inside);
   const auto package = read::package_manifest(resolver.disk(), *folder);
   const std::string name = urdf && package ? package->name : std::string(file_name(*folder));
-  result.uri = std::string(urdf ? "package://" : "model://") + name + '/' + *inside;
+  result.uri = std::string(urdf ? "package://" : "model://") + name + '/' + inside;
   const bool named = !name.empty() && name != "." && name != "..";
   if (!named || !leads_to(resolver, result.uri, file, path)) result.uri = seen_from(file, path);
   return result;

@@ -21,9 +21,6 @@
 
 namespace rigor::author {
 
-/// `path` seen from `folder`: "../meshes/a.stl". Nothing when text does not tell.
-std::optional<std::string> relative_path(std::string_view folder, std::string_view path);
-
 /// `uri`, which stands in `file` and leads to `from`, changed to lead to `to`, which need not exist
 /// yet: only its last parts differ where that is enough. Nothing when no URI of its form leads
 /// there, or when another file comes first.

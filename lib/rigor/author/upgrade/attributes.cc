@@ -17,20 +17,20 @@ namespace {
 using schema::Node;
 using schema::Version;
 
-struct NewName {
+struct RenamedAttribute {
   std::string_view element;
   std::string_view attribute;
   std::string_view name;
 };
-constexpr std::array<NewName, 6> kNewNames{{{"fog", "rgba", "color"},
-                                            {"heightmap", "origin", "pos"},
-                                            {"mesh", "filename", "uri"},
-                                            {"image", "filename", "uri"},
-                                            {"heightmap", "filename", "uri"},
-                                            {"include", "filename", "uri"}}};
+constexpr std::array<RenamedAttribute, 6> kNewNames{{{"fog", "rgba", "color"},
+                                                     {"heightmap", "origin", "pos"},
+                                                     {"mesh", "filename", "uri"},
+                                                     {"image", "filename", "uri"},
+                                                     {"heightmap", "filename", "uri"},
+                                                     {"include", "filename", "uri"}}};
 
 std::string_view new_name(std::string_view element, std::string_view attribute) {
-  for (const NewName& each : kNewNames) {
+  for (const RenamedAttribute& each : kNewNames) {
     if (each.element == element && each.attribute == attribute) return each.name;
   }
   return attribute;

@@ -36,7 +36,7 @@ using model::Root;
 constexpr double kSame = 1e-12;
 
 /// Limits of this size are none, whatever the version writes for it.
-constexpr double kNoLimit = 1e16;
+constexpr double kUnlimitedFrom = 1e16;
 
 /// Up to this version an effort or velocity of zero is none.
 constexpr int kLastWithZeroAsNone = 3;
@@ -262,7 +262,7 @@ class UpgradeProof {
 
   /// As a number that is the same for all versions.
   static double limit(double value) {
-    if (!(std::abs(value) < kNoLimit)) {
+    if (!(std::abs(value) < kUnlimitedFrom)) {
       return value < 0 ? -std::numeric_limits<double>::infinity()
                        : std::numeric_limits<double>::infinity();
     }

@@ -153,7 +153,7 @@ class WorldMerger {
       const auto found = resolver.resolve(uri, request_.out);
       if (found.path && normalize_path(*found.path) == normalize_path(model_folder)) return uri;
     }
-    return rigor::relative_path(folder_, of.path());
+    return relative_path(folder_, of.path());
   }
 
   // --- The proof ---

@@ -39,7 +39,7 @@ std::string moved_path(const std::string& uri, std::string_view from, std::strin
   if (uri.empty() || uri.find("://") != std::string::npos || uri.find('$') != std::string::npos ||
       is_absolute(uri) || normalize_path(from) == normalize_path(to))
     return uri;
-  return rigor::relative_path(to, join_path(from, uri));
+  return relative_path(to, join_path(from, uri));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <memory>
 #include <string>
 
+#include <rigor/mesh/ball.h>
 #include <rigor/mesh/triangle_mesh.h>
 #include <rigor/model/pose.h>
 
@@ -29,12 +30,6 @@ class ColliderShape;
 /// Why no shape can be made: "…/rigor-collider.so: cannot open shared object file: …", as in a build without FCL.
 /// Empty where they can. With a problem, every shape throws std::logic_error when it is made.
 std::string collider_problem();
-
-/// A ball around a shape, in the shape's frame.
-struct Ball {
-  Vector3 center;
-  double radius = 0;
-};
 
 class Collider {
  public:
@@ -52,6 +47,7 @@ class Collider {
   Collider& operator=(Collider&&) noexcept;
   ~Collider();
 
+  /// A ball around the shape, in its frame.
   const Ball& ball_S() const { return ball_S_; }
 
  private:

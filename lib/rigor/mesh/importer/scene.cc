@@ -92,11 +92,11 @@ LoadedMesh load_collada(const Disk& disk, const std::string& path, std::string_v
 
 /// Whether a line of a PLY begins with the word that ends its header, and with no longer one.
 bool ends_header(std::string_view bytes) {
-  constexpr std::string_view kEnd = "end_header";
-  for (std::size_t at = bytes.find(kEnd); at != std::string_view::npos;
-       at = bytes.find(kEnd, at + kEnd.size())) {
+  constexpr std::string_view kEndOfHeader = "end_header";
+  for (std::size_t at = bytes.find(kEndOfHeader); at != std::string_view::npos;
+       at = bytes.find(kEndOfHeader, at + kEndOfHeader.size())) {
     const std::size_t before = bytes.substr(0, at).find_last_not_of(" \t");
-    const std::string_view after = bytes.substr(at + kEnd.size());
+    const std::string_view after = bytes.substr(at + kEndOfHeader.size());
     if (before != std::string_view::npos && (bytes[before] == '\n' || bytes[before] == '\r') &&
         (after.empty() ||
          std::string_view(" \t\r\n\f\0", 6).find(after[0]) != std::string_view::npos)) {

@@ -22,7 +22,7 @@ namespace {
 constexpr double kOnBall = 1e-12;
 
 /// Real hulls take about ten steps; what is left to gain after so many is rounding.
-constexpr int kMaxSteps = 1000;
+constexpr int kMaxRounds = 1000;
 
 /// Of the determinant of unit vectors: flatter subsets are carried by fewer points.
 constexpr double kFlatSubset = 1e-12;
@@ -89,7 +89,7 @@ const Vector3& farthest_from(const std::vector<Vector3>& points, const Vector3& 
 Ball enclosing_ball(const std::vector<Vector3>& points) {
   if (points.empty()) return {};
   Carried carried{{points.front(), 0}, {points.front()}};
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (int step = 0; step < kMaxRounds; ++step) {
     const Vector3& far = farthest_from(points, carried.ball.center);
     if (length(far - carried.ball.center) <= carried.ball.radius * (1 + kOnBall)) break;
     std::vector<Vector3> candidates = carried.by;

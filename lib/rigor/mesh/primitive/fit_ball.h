@@ -10,14 +10,10 @@
 
 #include <vector>
 
+#include <rigor/mesh/ball.h>
 #include <rigor/mesh/triangle_mesh.h>
 
 namespace rigor::mesh {
-
-struct Ball {
-  Vector3 center;
-  double radius = 0;
-};
 
 /// Around every point exactly; its radius is within 1e-11 of the least. Of no point it is empty.
 Ball enclosing_ball(const std::vector<Vector3>& points);

@@ -57,8 +57,8 @@ class SkinMaker {
   void add(const Facet& f, std::size_t piece) {
     const double longest =
         std::max({length(f[1] - f[0]), length(f[2] - f[1]), length(f[0] - f[2])});
-    constexpr double kMaxCuts = 64;
-    const int n = static_cast<int>(std::clamp(std::ceil(longest / step_), 1.0, kMaxCuts));
+    constexpr double kMaxSplits = 64;
+    const int n = static_cast<int>(std::clamp(std::ceil(longest / step_), 1.0, kMaxSplits));
     const auto corner = [&](int i, int j) {
       return f[0] + (static_cast<double>(i) / n) * (f[1] - f[0]) +
              (static_cast<double>(j) / n) * (f[2] - f[0]);

@@ -25,7 +25,6 @@ namespace {
 using results::ModelRow;
 using results::Reader;
 using results::RuleTotal;
-using results::Totals;
 using results::Worst;
 
 constexpr std::size_t kLongestRuleName = 100;
@@ -52,7 +51,7 @@ std::string tile_of(std::uint64_t value, std::string_view what, std::string_view
                      count_words(value), what);
 }
 
-std::string tiles(const Totals& totals) {
+std::string tiles(const results::Totals& totals) {
   const auto of = [&](Worst worst) { return totals.by_worst[static_cast<std::size_t>(worst)]; };
   std::string out = "<ul class=\"tiles\">\n" + tile_of(totals.models, "models", "") +
                     tile_of(of(Worst::kError), "with errors or failed", "error") +

@@ -17,7 +17,7 @@ namespace rigor::simulate {
 namespace {
 
 /// More points of one pair would say nothing more of a shape that rests on another.
-constexpr double kMaxContacts = 1000;
+constexpr double kMaxContactsOfPair = 1000;
 
 class SurfaceReader {
  public:
@@ -136,7 +136,7 @@ class SurfaceReader {
 
   void take_contacts(const read::Text& text) {
     const double value = draft_.number(text, out_.max_contacts, "max_contacts", collision_);
-    out_.max_contacts = static_cast<int>(std::clamp(value, 0.0, kMaxContacts));
+    out_.max_contacts = static_cast<int>(std::clamp(value, 0.0, kMaxContactsOfPair));
   }
 
   void ignore_unless(std::optional<xml::Element> e, std::string_view name, double neutral) {
