@@ -105,7 +105,7 @@ TEST(Typed, WhatSensorsAndSurfacesSay) {
   EXPECT_EQ(sensor.lidar->vertical.max_angle.value, 2);
   EXPECT_EQ(sensor.lidar->noises.at(0).stddev.value, -3);
   EXPECT_EQ(sensor.frames.at(0).value, "f");
-  EXPECT_TRUE(sensor.configured);
+  EXPECT_FALSE(sensor.settings.empty());
 }
 
 }  // namespace

@@ -180,13 +180,13 @@ struct Sensor {
   Field<std::string> topic;
   std::vector<Camera> cameras;
   std::optional<Lidar> lidar;
-  std::vector<Noise>
-      imu_noises;  ///< of all axes of `<angular_velocity>` and `<linear_acceleration>`
+  std::vector<Noise> angular_velocity_noises;     ///< of an IMU, of all axes; rad/s
+  std::vector<Noise> linear_acceleration_noises;  ///< m/s²
   std::vector<Field<std::string>> contact_collisions;
   /// Those that it names itself, in `<gz_frame_id>`, `<ignition_frame_id>` or `<frame_name>`.
   std::vector<Field<std::string>> frames;
-  std::string gazebo_reference;  ///< URDF: the `<gazebo reference>` that it is in
-  bool configured = false;       ///< whether it has any element but plugins
+  std::string gazebo_reference;       ///< URDF: the `<gazebo reference>` that it is in
+  std::vector<std::string> settings;  ///< the names of its elements but plugins: `imu`, `topic`
 };
 
 struct Light {
@@ -381,6 +381,18 @@ struct GlobePosition {
   Field<double> longitude;  ///< degrees
 };
 
+/// `<model>` in a `<state>` of a world: where a model of that name stands, and how it moves.
+struct ModelState {
+  Site site;
+  Field<std::string> name;
+};
+
+/// `<state>` of a world, as Gazebo classic saves it.
+struct WorldState {
+  std::vector<ModelState> models;
+  bool inserts = false;  ///< whether it has `<insertions>`: models that the world does not list
+};
+
 struct World {
   Site site;
   Field<std::string> name;
@@ -389,6 +401,8 @@ struct World {
   std::vector<Id<Joint>> joints;
   std::vector<Id<Frame>> frames;
   std::optional<GlobePosition> globe_position;
+  std::vector<WorldState> states;
+  std::vector<std::string> names;  ///< of its elements, of whatever kind
 };
 
 /// `<trajectory>` of an actor's script.
@@ -411,6 +425,7 @@ struct GazeboBlock {
   Site site;
   Field<std::string> reference;
   Parameters content;  ///< without its plugins and sensors, which are in lists of their own
+  bool empty = true;   ///< without those either
 };
 
 /// URDF: a joint that a `<transmission>` or `<ros2_control>` names.

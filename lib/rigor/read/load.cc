@@ -136,10 +136,10 @@ class FileLoader {
     if (config.entries.empty()) {
       loaded_.config_facts.push_back({ConfigFactKind::kNoSdf, config.site.tag, {}, {}});
     }
-    for (const SdfEntry& entry : config.entries) check_entry(entry);
+    for (const SdfEntry& entry : config.entries) check_entry(entry, config.entries.size() > 1);
   }
 
-  void check_entry(const SdfEntry& entry) {
+  void check_entry(const SdfEntry& entry, bool of_several) {
     auto& facts = loaded_.config_facts;
     if (!entry.version.written) {
       facts.push_back({ConfigFactKind::kVersionMissing, entry.site.tag, entry.file.value, {}});
@@ -158,8 +158,8 @@ class FileLoader {
     if (!entry.version.written || !top || top->name() != "sdf") return;
     const std::string found = string_field(attribute_text(*top, "version")).value;
     if (!found.empty() && found != entry.version.value) {
-      facts.push_back(
-          {ConfigFactKind::kVersionMismatch, entry.version.span, entry.version.value, found});
+      facts.push_back({ConfigFactKind::kVersionMismatch, entry.version.span, entry.version.value,
+                       found, of_several});
     }
   }
 

@@ -44,8 +44,9 @@ enum class ConfigFactKind : std::uint8_t {
 struct ConfigFact {
   ConfigFactKind kind;
   Span where;
-  std::string name;   ///< of the file, or version, as written
-  std::string found;  ///< see the kinds
+  std::string name;         ///< of the file, or version, as written
+  std::string found;        ///< see the kinds
+  bool of_several = false;  ///< whether there are other entries; of a version's mismatch
 };
 
 ModelConfig read_model_config(const xml::Document& document);

@@ -160,6 +160,16 @@ std::optional<Text> SdfReader::step_text(xml::Element physics) const {
   return solver ? child_text(*solver, "dt") : std::nullopt;
 }
 
+model::WorldState SdfReader::read_state(xml::Element element) {
+  model::WorldState state;
+  state.inserts = element.child("insertions").has_value();
+  for (const xml::Element child : element.children()) {
+    if (child.name() != "model") continue;
+    state.models.push_back({site_of(child), string_field(attribute_text(child, "name"))});
+  }
+  return state;
+}
+
 void SdfReader::read_world(xml::Element element) {
   const Id<model::World> id = next_id(root_.worlds);
   model::World world;
@@ -169,6 +179,10 @@ void SdfReader::read_world(xml::Element element) {
   if (const auto place = element.child("spherical_coordinates")) {
     world.globe_position = {number_field(child_text(*place, "latitude_deg"), 0),
                             number_field(child_text(*place, "longitude_deg"), 0)};
+  }
+  for (const xml::Element child : element.children()) {
+    if (const auto name = child.attribute("name")) world.names.emplace_back(name->value());
+    if (child.name() == "state") world.states.push_back(read_state(child));
   }
   root_.worlds.push_back(std::move(world));
   const Scope scope{{}, id};

@@ -54,6 +54,7 @@ class SdfReader {
   model::Id<model::Model> read_included(xml::Element sdf, Scope scope);
 
  private:
+  static model::WorldState read_state(xml::Element element);
   void read_world(xml::Element element);
   model::Id<model::Model> read_model(xml::Element element, Scope scope);
   void read_model_parts(xml::Element element, model::Id<model::Model> id);

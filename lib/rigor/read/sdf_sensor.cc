@@ -53,28 +53,26 @@ model::Lidar read_lidar(xml::Element element) {
 }
 
 /// Up to SDF 1.4 all axes have one noise: `<noise><rate>` and `<noise><accel>`.
-std::vector<model::Noise> imu_noises_of_old(xml::Element noise) {
-  std::vector<model::Noise> noises;
-  for (const std::string_view name : {"rate", "accel"}) {
-    const auto of = noise.child(name);
-    if (!of) continue;
-    model::Noise one;
-    one.site = site_of(*of);
-    one.stddev = number_field(child_text(*of, "stddev"), 0);
-    noises.push_back(std::move(one));
+void read_imu(xml::Element imu, model::Sensor& sensor) {
+  auto& turning = sensor.angular_velocity_noises;
+  auto& moving = sensor.linear_acceleration_noises;
+  if (!turning.empty() || !moving.empty()) return;
+  const auto add = [](std::vector<model::Noise>& noises, xml::Element noise) {
+    noises.push_back({site_of(noise), number_field(child_text(noise, "stddev"), 0)});
+  };
+  if (const auto old = imu.child("noise")) {
+    if (const auto rate = old->child("rate")) add(turning, *rate);
+    if (const auto accel = old->child("accel")) add(moving, *accel);
+    return;
   }
-  return noises;
-}
-
-std::vector<model::Noise> imu_noises(xml::Element imu) {
-  if (const auto noise = imu.child("noise")) return imu_noises_of_old(*noise);
-  std::vector<model::Noise> noises;
   for (const xml::Element quantity : imu.children()) {
     for (const xml::Element axis : quantity.children()) {
-      for (model::Noise& noise : noises_in(axis)) noises.push_back(std::move(noise));
+      for (const xml::Element noise : axis.children()) {
+        if (noise.name() == "noise")
+          add(quantity.name() == "angular_velocity" ? turning : moving, noise);
+      }
     }
   }
-  return noises;
 }
 
 bool names_frame(std::string_view element) {
@@ -92,11 +90,11 @@ void read_measurement(xml::Element element, model::Sensor& sensor) {
   sensor.topic = string_field(child_text(element, "topic"));
   for (const xml::Element child : element.children()) {
     const std::string_view name = child.name();
-    if (name != "plugin") sensor.configured = true;
+    if (name != "plugin") sensor.settings.emplace_back(name);
     if (names_frame(name)) {
       sensor.frames.push_back(string_field(Text{child.text(), child.text_span()}));
     }
-    if (name == "imu" && sensor.imu_noises.empty()) sensor.imu_noises = imu_noises(child);
+    if (name == "imu") read_imu(child, sensor);
     if (name == "camera") sensor.cameras.push_back(read_camera(child));
     if (name == "ray" || name == "lidar") sensor.lidar = read_lidar(child);
     if (name != "contact") continue;

@@ -234,6 +234,7 @@ class UrdfReader {
     block.site = site_of(element);
     block.reference = string_field(attribute_text(element, "reference"));
     for (const xml::Element child : element.children()) {
+      block.empty = false;
       if (child.name() == "sensor") {
         block_sensors_.push_back({child, block.reference.value});
       } else if (child.name() == "plugin") {

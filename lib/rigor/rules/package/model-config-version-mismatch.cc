@@ -1,28 +1,18 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cstddef>
-
 #include <rigor/read/model_config.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_version_mismatch {
 
-/// Of several files, the one that is said to have the highest version is the model.
-Applicability fix_of_version(const Context& context) {
-  const auto top = context.document().root();
-  if (!top) return Applicability::kUnsafe;
-  std::size_t count = 0;
-  for (const xml::Element child : top->children()) count += child.name() == "sdf" ? 1 : 0;
-  return count == 1 ? Applicability::kSafe : Applicability::kUnsafe;
-}
-
 void check(const read::ConfigFact& fact, Context& context) {
-  context.report(
-      {.where = fact.where,
-       .message = "the file is SDF " + fact.found + ", not " + fact.name,
-       .fix = Fix{"write " + fact.found, fix_of_version(context), {{fact.where, fact.found}}}});
+  // Of several files, the one that is said to have the highest version is the model.
+  const auto how = fact.of_several ? Applicability::kUnsafe : Applicability::kSafe;
+  context.report({.where = fact.where,
+                  .message = "the file is SDF " + fact.found + ", not " + fact.name,
+                  .fix = Fix{"write " + fact.found, how, {{fact.where, fact.found}}}});
 }
 
 Rule rule() {

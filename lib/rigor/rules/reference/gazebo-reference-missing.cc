@@ -21,12 +21,12 @@ void check(const model::Root& root, Context& context) {
       for (std::string& joint : names_of(root.joints)) names.push_back(std::move(joint));
       return names;
     };
-    const bool empty = context.element(block.site).children().empty();
     context.report(with_nearest(
         {.where = block.reference.span,
          .message = "refers to '" + name + "', which is no link and no joint of this robot",
-         .why = empty ? "Gazebo drops the block silently; it is empty, so nothing is lost." : "",
-         .severity = empty ? std::optional(Severity::kInfo) : std::nullopt},
+         .why =
+             block.empty ? "Gazebo drops the block silently; it is empty, so nothing is lost." : "",
+         .severity = block.empty ? std::optional(Severity::kInfo) : std::nullopt},
         name, all, context));
   }
 }

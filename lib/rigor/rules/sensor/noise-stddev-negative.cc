@@ -42,8 +42,10 @@ void check(const model::Sensor& sensor, Context& context) {
   }
   if (sensor.lidar) look_into(sensor.lidar->noises, sensor, context);
   constexpr int kOfAxes = 5;  // SDF 1.5, since when each axis has its own
-  if (context.is_urdf() || context.root().version < kOfAxes)
-    look_into(sensor.imu_noises, sensor, context);
+  if (context.is_urdf() || context.root().version < kOfAxes) {
+    look_into(sensor.angular_velocity_noises, sensor, context);
+    look_into(sensor.linear_acceleration_noises, sensor, context);
+  }
 }
 
 Rule rule() {

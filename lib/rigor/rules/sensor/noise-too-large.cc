@@ -15,15 +15,6 @@ namespace rigor::rules::noise_too_large {
 constexpr double kRange = 0.5;          // m
 constexpr double kShareOfRange = 0.25;  // of the largest distance
 
-/// Whether one of the elements around the noise is named so.
-bool is_in(xml::Element element, std::string_view name) {
-  for (auto around = element.parent(); around; around = around->parent()) {
-    if (around->name() == name) return true;
-    if (around->name() == "sensor") return false;
-  }
-  return false;
-}
-
 /// What is measured: the largest standard deviation of a sensor that is sold, and a common one.
 struct Measured {
   double most = 0;
@@ -49,11 +40,10 @@ void check_noise(const model::Noise& noise, const Measured& measured, const mode
 }
 
 void check(const model::Sensor& sensor, Context& context) {
-  for (const model::Noise& noise : sensor.imu_noises) {
-    const xml::Element element = context.element(noise.site);
-    const bool rotation = is_in(element, "angular_velocity") || element.name() == "rate";
-    check_noise(noise, rotation ? kGyroscope : kAccelerometer, sensor, context);
-  }
+  for (const model::Noise& noise : sensor.angular_velocity_noises)
+    check_noise(noise, kGyroscope, sensor, context);
+  for (const model::Noise& noise : sensor.linear_acceleration_noises)
+    check_noise(noise, kAccelerometer, sensor, context);
   for (const model::Camera& camera : sensor.cameras) {
     if (sensor.type.value.find("depth") != std::string::npos ||
         sensor.type.value.starts_with("rgbd"))

@@ -54,12 +54,11 @@ constexpr Block kBlocks[] = {
 };
 
 /// The block of another type, in a sensor whose own type has a block that is not there.
-std::string_view other_block(const model::Sensor& sensor, const Context& context) {
+std::string_view other_block(const model::Sensor& sensor) {
   const std::string type = " " + sensor.type.value + " ";
   bool known = false;
   std::string_view other;
-  for (const xml::Element child : context.element(sensor.site).children()) {
-    const std::string_view name = child.name();
+  for (const std::string_view name : sensor.settings) {
     if (name == "camera" || name == "lidar" || name == "ray") other = name;
     for (const Block& block : kBlocks) {
       if (block.name != name) continue;
@@ -86,13 +85,13 @@ void check(const model::Sensor& sensor, Context& context) {
     if (camera) message += "; this one has a <camera>";
   }
   if (message.empty()) {
-    if (const std::string_view other = other_block(sensor, context); !other.empty()) {
+    if (const std::string_view other = other_block(sensor); !other.empty()) {
       message =
           "a sensor of type '" + type + "' does not read the <" + std::string(other) + "> in it";
     }
   }
   // One without any settings is a stub: its plugin, or a test, makes something of it.
-  if (message.empty() || !sensor.configured) return;
+  if (message.empty() || sensor.settings.empty()) return;
   context.report({.where = sensor.type.span,
                   .message = std::move(message),
                   .subject = context.subject(sensor)});

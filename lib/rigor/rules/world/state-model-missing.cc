@@ -13,12 +13,8 @@ namespace rigor::rules::state_model_missing {
 using Names = std::set<std::string_view>;
 
 /// What the world has under a name; nothing when an include might have brought any.
-std::optional<Names> names_in(const model::World& world, const xml::Element& element,
-                              const model::Root& root) {
-  Names names;
-  for (const xml::Element child : element.children()) {
-    if (const auto name = child.attribute("name")) names.insert(name->value());
-  }
+std::optional<Names> names_in(const model::World& world, const model::Root& root) {
+  Names names(world.names.begin(), world.names.end());
   for (const auto id : world.models) names.insert(root[id].name.value);
   for (const model::Include& include : root.includes) {
     if (include.name.written) names.insert(include.name.value);
@@ -28,21 +24,19 @@ std::optional<Names> names_in(const model::World& world, const xml::Element& ele
 }
 
 void check(const model::World& world, Context& context) {
-  const xml::Element element = context.element(world.site);
-  std::optional<Names> names;
-  for (const xml::Element state : element.children()) {
-    if (state.name() != "state") continue;
-    if (!names) names = names_in(world, element, context.root());
-    if (!names || state.child("insertions")) return;
-    for (const xml::Element child : state.children()) {
-      const auto name = child.attribute("name");
-      if (child.name() != "model" || !name || names->contains(name->value())) continue;
-      context.report({.where = name->value_span(),
-                      .message = "the state is of a model '" + std::string(name->value()) +
+  if (world.states.empty()) return;
+  const std::optional<Names> names = names_in(world, context.root());
+  if (!names) return;
+  for (const model::WorldState& state : world.states) {
+    if (state.inserts) return;
+    for (const model::ModelState& of : state.models) {
+      if (!of.name.written || names->contains(of.name.value)) continue;
+      const auto removed = xml::remove_element(context.document(), context.element(of.site));
+      context.report({.where = of.name.span,
+                      .message = "the state is of a model '" + of.name.value +
                                  "' that the world does not have",
                       .subject = context.subject(world),
-                      .fix = fix_of("remove it", Applicability::kUnsafe,
-                                    xml::remove_element(context.document(), child))});
+                      .fix = fix_of("remove it", Applicability::kUnsafe, removed)});
     }
   }
 }
