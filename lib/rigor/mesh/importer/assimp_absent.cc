@@ -11,8 +11,6 @@ LoadedMesh import_with_assimp(const Disk&, const std::string&, std::string_view)
   return {.faults = {{FaultKind::kImporterMissing, assimp_version()}}};
 }
 
-void prepare_assimp() {}
-
 std::string assimp_version() { return "rigor was built without assimp"; }
 
 }  // namespace rigor::mesh
