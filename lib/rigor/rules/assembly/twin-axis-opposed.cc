@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/robot/assembled/assembled.h>
 #include <rigor/rules/assembly/twin_numbers.h>
 #include <rigor/rules/rule.h>
 
