@@ -108,5 +108,64 @@ TEST(Typed, WhatSensorsAndSurfacesSay) {
   EXPECT_FALSE(sensor.settings.empty());
 }
 
+TEST(Parameters, ABlockForGazeboIsEmptyWithoutAnyElement) {
+  const auto is_empty = [](const std::string& content) {
+    return root_of("a.urdf", "<robot name='a'><link name='l'/><gazebo reference='l'>" + content +
+                                 "</gazebo></robot>")
+        .gazebo_blocks.at(0)
+        .empty;
+  };
+  EXPECT_TRUE(is_empty("<!-- later -->"));
+  EXPECT_FALSE(is_empty("<mu1>1</mu1>"));
+  EXPECT_FALSE(is_empty("<plugin name='p' filename='p.so'/>"));
+  EXPECT_FALSE(is_empty("<sensor name='s' type='imu'/>"));
+}
+
+std::vector<double> deviations(const std::vector<model::Noise>& noises) {
+  std::vector<double> all;
+  for (const model::Noise& noise : noises) all.push_back(noise.stddev.value);
+  return all;
+}
+
+TEST(Parameters, NoisesOfAnImuAreOfWhatIsMeasured) {
+  const auto imu_of = [](const std::string& version, const std::string& imu) {
+    return root_of("a.sdf", "<sdf version='" + version + "'><model name='m'><link name='l'>" +
+                                "<sensor name='s' type='imu'><imu>" + imu +
+                                "</imu></sensor></link></model></sdf>")
+        .sensors.at(0);
+  };
+  const auto axis = [](const std::string& name, const std::string& stddev) {
+    return "<" + name + "><noise type='gaussian'><stddev>" + stddev + "</stddev></noise></" + name +
+           ">";
+  };
+  const model::Sensor each = imu_of(
+      "1.9", "<linear_acceleration>" + axis("x", "4") + "</linear_acceleration>" +
+                 "<angular_velocity>" + axis("x", "1") + axis("z", "3") + "</angular_velocity>");
+  EXPECT_EQ(deviations(each.angular_velocity_noises), (std::vector<double>{1, 3}));
+  EXPECT_EQ(deviations(each.linear_acceleration_noises), (std::vector<double>{4}));
+  EXPECT_EQ(each.settings, (std::vector<std::string>{"imu"}));
+  const model::Sensor old = imu_of("1.4",
+                                   "<noise><accel><stddev>6</stddev></accel><rate>"
+                                   "<stddev>5</stddev></rate></noise>");
+  EXPECT_EQ(deviations(old.angular_velocity_noises), (std::vector<double>{5}));
+  EXPECT_EQ(deviations(old.linear_acceleration_noises), (std::vector<double>{6}));
+}
+
+TEST(Parameters, StatesOfAWorldNameTheirModels) {
+  const model::Root root =
+      root_of("a.sdf",
+              "<sdf version='1.6'><world name='w'><light name='sun' type='point'/>"
+              "<state world_name='w'><model name='box'/><light name='sun'/><model/></state>"
+              "<state world_name='w'><insertions/></state></world></sdf>");
+  const model::World& world = root.worlds.at(0);
+  EXPECT_EQ(world.names, (std::vector<std::string>{"sun"})) << "the states have none";
+  ASSERT_EQ(world.states.size(), 2U);
+  ASSERT_EQ(world.states[0].models.size(), 2U);
+  EXPECT_EQ(world.states[0].models[0].name.value, "box");
+  EXPECT_FALSE(world.states[0].models[1].name.written);
+  EXPECT_FALSE(world.states[0].inserts);
+  EXPECT_TRUE(world.states[1].inserts);
+}
+
 }  // namespace
 }  // namespace rigor::read

@@ -8,11 +8,14 @@
 namespace rigor::read {
 namespace {
 
+model::Noise read_noise(xml::Element element) {
+  return {site_of(element), number_field(child_text(element, "stddev"), 0)};
+}
+
 std::vector<model::Noise> noises_in(xml::Element measured) {
   std::vector<model::Noise> noises;
   for (const xml::Element child : measured.children()) {
-    if (child.name() != "noise") continue;
-    noises.push_back({site_of(child), number_field(child_text(child, "stddev"), 0)});
+    if (child.name() == "noise") noises.push_back(read_noise(child));
   }
   return noises;
 }
@@ -57,20 +60,15 @@ void read_imu(xml::Element imu, model::Sensor& sensor) {
   auto& turning = sensor.angular_velocity_noises;
   auto& moving = sensor.linear_acceleration_noises;
   if (!turning.empty() || !moving.empty()) return;
-  const auto add = [](std::vector<model::Noise>& noises, xml::Element noise) {
-    noises.push_back({site_of(noise), number_field(child_text(noise, "stddev"), 0)});
-  };
   if (const auto old = imu.child("noise")) {
-    if (const auto rate = old->child("rate")) add(turning, *rate);
-    if (const auto accel = old->child("accel")) add(moving, *accel);
+    if (const auto rate = old->child("rate")) turning.push_back(read_noise(*rate));
+    if (const auto accel = old->child("accel")) moving.push_back(read_noise(*accel));
     return;
   }
   for (const xml::Element quantity : imu.children()) {
+    auto& noises = quantity.name() == "angular_velocity" ? turning : moving;
     for (const xml::Element axis : quantity.children()) {
-      for (const xml::Element noise : axis.children()) {
-        if (noise.name() == "noise")
-          add(quantity.name() == "angular_velocity" ? turning : moving, noise);
-      }
+      for (model::Noise& noise : noises_in(axis)) noises.push_back(std::move(noise));
     }
   }
 }
