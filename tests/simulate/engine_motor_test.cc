@@ -171,5 +171,20 @@ TEST_P(Motors, AMotorLeavesAStopAtHalfATurnAsItIsTold) {
   }
 }
 
+// A lift of a hundred kilograms: 981 N against its motor, which the world's constraint force mixing of 1e-5 (m/s)/N
+// would let sink by most of what it lifts.
+TEST_P(Motors, ASlowStrongMotorKeepsToItsSpeedUnderLoad) {
+  Scene scene = hand::scene();
+  add_body(scene, hand::ball_mass(100, 0.2), {0, 0, 1});
+  add_joint(scene, JointType::kPrismatic, kWorld, 0, {0, 0, 1}, {{0, 0, 1}});
+  scene.joints[0].axes[0].effort = 10000;
+  scene.joints[0].axes[0].velocity = 0.013;
+  const auto engine_made = made_engine(scene, simulate::SolverSettings{});
+  Engine& engine = *engine_made;
+  engine.set_motor(0, 0, 0.013, simulate::kInfinity);
+  for (int i = 0; i < 1000; ++i) engine.step(Forces::kAsked);
+  EXPECT_NEAR(engine.state().axes[0].position, 0.013, 0.02 * 0.013);
+}
+
 }  // namespace
 }  // namespace rigor

@@ -28,6 +28,10 @@ constexpr double kTurn = 6.283185307179586;
 /// the stop beyond.
 constexpr double kStopSlack = 1e-4;
 
+/// Share of its velocity limit by which a motor falls behind at most, under all of its effort: a slow one would
+/// stand still under the world's own constraint force mixing.
+constexpr double kMotorLag = 0.02;
+
 /// Share of a coupling's error, of position and of speed, that a step takes away: the sum of the first
 /// and twice the second may be 4, of which half is kept since two coordinates share bodies.
 constexpr double kCouplingPosition = 0.4;
@@ -166,7 +170,8 @@ void EngineJoints::set_motor(std::uint32_t joint, std::uint32_t axis, double vel
   c.command = Coordinate::Command::kMotor;
   c.told = velocity;
   c.most = std::min(effort, c.written.effort);
-  c.give = 0;
+  const double lag = kMotorLag * c.written.velocity / c.most;
+  c.give = lag > 0 ? std::min(cfm_, lag) : cfm_;
   turn_on(c, joint);
 }
 
@@ -179,7 +184,7 @@ void EngineJoints::set_servo(std::uint32_t joint, std::uint32_t axis, const Serv
   c.told =
       firmness > 0 ? (servo.stiffness * servo.error + servo.damping * servo.rate) / firmness : 0;
   c.most = firmness > 0 ? std::min(servo.effort, c.written.effort) : 0;
-  c.give = firmness > 0 ? 1 / firmness : 0;
+  c.give = std::max(cfm_, firmness > 0 ? 1 / firmness : 0);
   turn_on(c, joint);
 }
 
@@ -222,7 +227,7 @@ void EngineJoints::use_slot(Coordinate& c) const {
     const bool presses =
         stop.side != 0 && (locked || c.told * stop.side > 0 || stop.beyond > kStopSlack);
     c.drives = !presses;
-    set_ode_motor(c, c.told, presses ? 0 : c.most, std::max(cfm_, c.give));
+    set_ode_motor(c, c.told, presses ? 0 : c.most, c.give);
     if (has_stops(axis)) set_ode_stops(c, presses ? 0 : stop.side);
   } else if (axis.friction > 0) {
     set_ode_motor(c, 0, axis.friction, cfm_);

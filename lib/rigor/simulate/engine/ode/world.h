@@ -163,7 +163,7 @@ struct Coordinate {
   Command command = Command::kNone;
   double told = 0;  ///< effort, or velocity
   double most = 0;  ///< effort of the motor
-  double give = 0;  ///< of the motor: rad/s per N·m that it gives way by; 0: what the solver gives
+  double give = 0;  ///< of the motor: rad/s per N·m, or m/s per N, that it gives way by
   bool busy = false;    ///< something is to be done before each step
   bool damps = false;   ///< by the motor's slot
   bool drives = false;  ///< a command has the motor's slot, and no stop is pressed against
