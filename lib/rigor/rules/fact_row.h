@@ -80,15 +80,15 @@ std::vector<Rule> rules_of(FactTables<Fact> tables, CheckOf<Fact> check) {
   std::vector<Rule> rules;
   for (const auto table : tables) {
     for (const FactRow<Fact>& row : table()) {
-      std::vector kinds{row.rule.kind};
-      if (row.also) kinds.push_back(*row.also);
+      KindList kinds{row.rule.kind};
+      if (row.also) kinds.add(*row.also);
       rules.push_back({.name = row.rule.name,
                        .severity = row.rule.severity,
                        .formats = row.rule.formats,
                        .summary = row.summary,
                        .why = row.why,
                        .what_to_do = row.what_to_do,
-                       .checks = {FactCheck<Fact, decltype(Fact::kind)>{std::move(kinds), check}}});
+                       .checks = {FactCheck<Fact, decltype(Fact::kind)>{kinds, check}}});
     }
   }
   return rules;

@@ -22,7 +22,9 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -131,10 +133,28 @@ struct MeshFile {
 template <class T>
 using CheckOf = void (*)(const T&, Context&);
 
+/// The kinds of facts that a check is for. They lie in it, so that no rule needs the heap for them.
+template <class Kind>
+class KindList {
+ public:
+  /// Throws std::out_of_range when there are more than it can hold: the rules are part of the program.
+  KindList(std::initializer_list<Kind> kinds) {
+    for (const Kind kind : kinds) add(kind);
+  }
+  void add(Kind kind) { kinds_.at(size_++) = kind; }
+
+  const Kind* begin() const { return kinds_.data(); }
+  const Kind* end() const { return kinds_.data() + size_; }
+
+ private:
+  std::array<Kind, 14> kinds_{};
+  std::uint8_t size_ = 0;
+};
+
 /// A check of facts that a lower floor found, for the kinds it names.
 template <class Fact, class Kind>
 struct FactCheck {
-  std::vector<Kind> kinds;
+  KindList<Kind> kinds;
   CheckOf<Fact> check;
 };
 
@@ -158,39 +178,38 @@ Check on(CheckOf<T> check) {
 }
 
 /// The check of every fact of these kinds.
-inline Check on_xml(std::vector<xml::FaultKind> kinds, CheckOf<xml::Fault> check) {
-  return FactCheck<xml::Fault, xml::FaultKind>{std::move(kinds), check};
+inline Check on_xml(KindList<xml::FaultKind> kinds, CheckOf<xml::Fault> check) {
+  return FactCheck<xml::Fault, xml::FaultKind>{kinds, check};
 }
-inline Check on_xacro(std::vector<xacro::FactKind> kinds, CheckOf<xacro::Fact> check) {
-  return FactCheck<xacro::Fact, xacro::FactKind>{std::move(kinds), check};
+inline Check on_xacro(KindList<xacro::FactKind> kinds, CheckOf<xacro::Fact> check) {
+  return FactCheck<xacro::Fact, xacro::FactKind>{kinds, check};
 }
-inline Check on_schema(std::vector<read::SchemaFactKind> kinds, CheckOf<read::SchemaFact> check) {
-  return FactCheck<read::SchemaFact, read::SchemaFactKind>{std::move(kinds), check};
+inline Check on_schema(KindList<read::SchemaFactKind> kinds, CheckOf<read::SchemaFact> check) {
+  return FactCheck<read::SchemaFact, read::SchemaFactKind>{kinds, check};
 }
-inline Check on_read(std::vector<read::FactKind> kinds, CheckOf<read::Fact> check) {
-  return FactCheck<read::Fact, read::FactKind>{std::move(kinds), check};
+inline Check on_read(KindList<read::FactKind> kinds, CheckOf<read::Fact> check) {
+  return FactCheck<read::Fact, read::FactKind>{kinds, check};
 }
-inline Check on_frames(std::vector<model::FrameProblemKind> kinds,
+inline Check on_frames(KindList<model::FrameProblemKind> kinds,
                        CheckOf<model::FrameProblem> check) {
-  return FactCheck<model::FrameProblem, model::FrameProblemKind>{std::move(kinds), check};
+  return FactCheck<model::FrameProblem, model::FrameProblemKind>{kinds, check};
 }
-inline Check on_config(std::vector<read::ConfigFactKind> kinds, CheckOf<read::ConfigFact> check) {
-  return FactCheck<read::ConfigFact, read::ConfigFactKind>{std::move(kinds), check};
+inline Check on_config(KindList<read::ConfigFactKind> kinds, CheckOf<read::ConfigFact> check) {
+  return FactCheck<read::ConfigFact, read::ConfigFactKind>{kinds, check};
 }
-inline Check on_mjcf(std::vector<read::MjcfFactKind> kinds, CheckOf<read::MjcfFact> check) {
-  return FactCheck<read::MjcfFact, read::MjcfFactKind>{std::move(kinds), check};
+inline Check on_mjcf(KindList<read::MjcfFactKind> kinds, CheckOf<read::MjcfFact> check) {
+  return FactCheck<read::MjcfFact, read::MjcfFactKind>{kinds, check};
 }
-inline Check on_conversion(std::vector<convert::NoteKind> kinds, CheckOf<convert::Note> check) {
-  return FactCheck<convert::Note, convert::NoteKind>{std::move(kinds), check};
-}
-
-inline Check on_simulation(std::vector<simulate::FactKind> kinds, CheckOf<simulate::Fact> check) {
-  return FactCheck<simulate::Fact, simulate::FactKind>{std::move(kinds), check};
+inline Check on_conversion(KindList<convert::NoteKind> kinds, CheckOf<convert::Note> check) {
+  return FactCheck<convert::Note, convert::NoteKind>{kinds, check};
 }
 
-inline Check on_suppression(std::vector<SuppressionFactKind> kinds,
-                            CheckOf<SuppressionFact> check) {
-  return FactCheck<SuppressionFact, SuppressionFactKind>{std::move(kinds), check};
+inline Check on_simulation(KindList<simulate::FactKind> kinds, CheckOf<simulate::Fact> check) {
+  return FactCheck<simulate::Fact, simulate::FactKind>{kinds, check};
+}
+
+inline Check on_suppression(KindList<SuppressionFactKind> kinds, CheckOf<SuppressionFact> check) {
+  return FactCheck<SuppressionFact, SuppressionFactKind>{kinds, check};
 }
 
 struct Rule {
