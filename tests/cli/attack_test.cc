@@ -326,6 +326,20 @@ TEST_F(Secret, IsNotReadThroughALink) {
   tells_nothing("expand robot/linked.urdf.xacro");
 }
 
+/// How a mesh is shaped holds no text of it; what is called like one may be a link to anything.
+TEST_F(Secret, OfAMeshThatIsOutOfReachNumbersAreTold) {
+  folder_.put("meshes/open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n");
+  folder_.put("meshes/bytes.txt", std::string(80, 'H') + "UNTER2 and so on, which is no mesh");
+  fs::create_symlink("bytes.txt", folder_.path("meshes/cut.stl"));
+  folder_.put("urdf/a.sdf", model_with_mesh("../meshes/open.obj"));
+  const Ran open = folder_.rigor("validate urdf/a.sdf --format concise --show info");
+  EXPECT_NE(open.out.find("the mesh has no normals"), std::string::npos) << open.out;
+  folder_.put("urdf/b.sdf", model_with_mesh("../meshes/cut.stl"));
+  const Ran linked = folder_.rigor("validate urdf/b.sdf --format concise --show info");
+  EXPECT_NE(linked.out.find("lies outside"), std::string::npos) << linked.out;
+  EXPECT_EQ(linked.out.find("promises"), std::string::npos) << linked.out;
+}
+
 TEST_F(Secret, IsWithinReachWhereItIsNamed) {
   const Ran ran = folder_.rigor("expand --model-path secret robot/good_yaml.urdf.xacro");
   EXPECT_EQ(ran.exit, 0) << ran.err;

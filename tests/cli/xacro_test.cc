@@ -153,6 +153,12 @@ TEST_F(XacroProgram, AGeneralTemplateTakesWhatARobotBesideItGivesToItsMacro) {
                                         "<mesh filename=\"meshes/$(arg model).stl\"/>"
                                         "</geometry></visual></link>\n</robot>\n");
   EXPECT_NE(validate(".").err.find("argument 'model' has no default"), std::string::npos);
+  // Nor is it one that a launch file gives, when one of the file is near.
+  folder_.put("general.urdf.xacro", "<robot name=\"r\"" + xmlns +
+                                        "  <xacro:arg name=\"modle\" default=\"a\"/>\n"
+                                        "  <link name=\"$(arg model)\"/>\n</robot>\n");
+  const Ran misspelt = validate(".");
+  EXPECT_NE(misspelt.out.find("did you mean 'modle'?"), std::string::npos) << misspelt.err;
 }
 
 TEST_F(XacroProgram, OfAFolderRobotsAreCheckedAndTheirPartsThroughThem) {

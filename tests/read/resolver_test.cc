@@ -104,6 +104,8 @@ TEST(Resolver, AWorldFindsTheModelsOfItsPackage) {
   EXPECT_EQ(found("deep"), "/ws/sim/models/deep");
   EXPECT_EQ(found("arm"), "/ws/sim/assets/arm");
   EXPECT_EQ(found("outside"), std::nullopt);
+  // gz sim looks for the bare name of an include where it looks for model://.
+  EXPECT_EQ(resolver.resolve("deep", "/ws/sim/worlds/2023/final.sdf").path, "/ws/sim/models/deep");
 }
 
 TEST(Resolver, AFileUriIsLookedForWhereThePackageTellsGazeboOfMedia) {

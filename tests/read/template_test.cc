@@ -51,6 +51,11 @@ TEST(ExpandedFile, KnowsWherePartsAreWritten) {
   EXPECT_EQ(origin_of(body, "2 7 1"), "${a + 1} 7 ${a}");
   EXPECT_EQ(origin_of(body, "3"), "${a + 2}");
   EXPECT_EQ(origin_of(body, "0.5"), "0.5");
+  // Behind a child, where no element has its value.
+  EXPECT_EQ(
+      origin_of("<xacro:macro name=\"m\"><link name=\"l\"/> lost </xacro:macro>\n<xacro:m/>\n",
+                "lost"),
+      "lost");
 }
 
 /// Pieces of templates that are hard to print, in any order and place.

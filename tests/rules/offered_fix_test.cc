@@ -48,6 +48,19 @@ TEST(OfferedFix, CutsOffAUnitButNoPartOfANumber) {
   }
 }
 
+// Of a box 0.3 m long no mass can have its center at an end and be spread as over the whole box: then half of the
+// variance that (c - a)(b - c) allows is exceeded. A tenth of the length beside the middle it can.
+TEST(OfferedFix, KeepsACenterOfMassThatABodyInTheShapesCanHave) {
+  const auto title = [](const std::string& x) {
+    return offered(box_with("<pose>" + x +
+                            " 0 0 0 0 0</pose><mass>2</mass><inertia><ixx>3.7</ixx>"
+                            "<iyy>3.7</iyy><izz>3.7</izz></inertia>"))["inertia-geometry-mismatch"];
+  };
+  EXPECT_NE(title("0.03").find("about the written center of mass"), std::string::npos);
+  EXPECT_NE(title("0.15").find("about their own center of mass"), std::string::npos);
+  EXPECT_EQ(title("0").find("center of mass"), std::string::npos);
+}
+
 TEST(OfferedFix, TakesASignAwayWhereTheMassIsThenPlausible) {
   EXPECT_EQ(offered(box_with("-5.67", "0.01"))["mass-negative"], "remove the minus sign");
   // 0.006 m³: a ton would have the density of no solid, and water 6 kg.

@@ -34,6 +34,9 @@ bool names(std::string_view ending, Format format) {
   return !ending.empty() && ending.substr(1) == to_string(format);
 }
 
+constexpr std::array<Format, 5> kNamedFormats{Format::kObj, Format::kCollada, Format::kGltf,
+                                              Format::kGlb, Format::kPly};
+
 /// Whether the first line that is no comment is a statement of OBJ.
 bool begins_as_obj(std::string_view first_bytes) {
   constexpr std::array<std::string_view, 9> kStatements{"v", "vt", "vn",     "f",     "o",
@@ -67,8 +70,7 @@ Format format_by_ending(std::string_view first_bytes, std::uint64_t size, std::s
   if (ending == ".stl") {
     return is_binary_stl(first_bytes, size) ? Format::kStlBinary : Format::kStlAscii;
   }
-  for (const Format format :
-       {Format::kObj, Format::kCollada, Format::kGltf, Format::kGlb, Format::kPly}) {
+  for (const Format format : kNamedFormats) {
     if (names(ending, format)) return format;
   }
   return contains(kOtherEndings, ending) ? Format::kOther : Format::kUnknown;
@@ -117,6 +119,12 @@ std::string_view to_string(Format format) {
 bool LoadedMesh::usable() const {
   return std::none_of(faults.begin(), faults.end(),
                       [](const Fault& fault) { return fatal(fault.kind); });
+}
+
+bool has_mesh_ending(std::string_view path) {
+  const std::string ending = extension(path);
+  return ending == ".stl" || std::any_of(kNamedFormats.begin(), kNamedFormats.end(),
+                                         [&](Format format) { return names(ending, format); });
 }
 
 Format format_of(std::string_view first_bytes, std::uint64_t size, std::string_view path) {

@@ -40,6 +40,9 @@ enum class Format : std::uint8_t {
 /// "stl", "obj", "dae", "gltf", "glb", "ply", "other" and "unknown".
 std::string_view to_string(Format format);
 
+/// Whether the name ends as those of meshes do: .stl, .obj, .dae, .gltf, .glb, .ply, in any letter case.
+bool has_mesh_ending(std::string_view path);
+
 /// Larger files are refused unread. The largest seen among 3,400 real models has 30 MB.
 inline constexpr std::uint64_t kMaxMeshBytes = std::uint64_t{2} << 30U;
 

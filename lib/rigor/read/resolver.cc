@@ -144,7 +144,9 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
       try_path(join_path(join_path(beside, "models"), rest), "around the file's folder", result)) {
     return;
   }
-  if (result.scheme == "model" || result.scheme == "file") {
+  // The name of a model alone, as includes have it, is no path to a mesh.
+  const bool is_name = result.scheme.empty() && rest.find_first_of("/.") == rest.npos;
+  if (is_name || result.scheme == "model" || result.scheme == "file") {
     for (const std::string& place : package_folders(beside)) {
       if (try_path(join_path(place, rest), "the file's package", result)) return;
     }

@@ -128,6 +128,7 @@ void Context::report(Finding finding) {
   Diagnostic diagnostic = diagnostic_of(finding);
   diagnostic.message = shortened(std::move(finding.message));
   diagnostic.of_file = mesh_.empty() ? std::move(finding.of_file) : mesh_;
+  diagnostic.measured = finding.measured && !mesh_.empty();
   diagnostic.subject =
       finding.subject.empty() ? subject_at(finding.where) : std::move(finding.subject);
   diagnostic.related = std::move(finding.related);

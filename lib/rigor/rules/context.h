@@ -62,6 +62,7 @@ struct Finding {
   Span where;
   std::string message;
   std::string of_file = {};  ///< whose content the message quotes, where that is another file
+  bool measured = false;     ///< whether it tells numbers of the mesh only, and none of its file's text
   std::string subject = {};  ///< when empty, what the elements around the place are called
   std::vector<Label> related = {};
   std::string help = {};

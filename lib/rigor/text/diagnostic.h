@@ -52,6 +52,7 @@ struct Diagnostic {
   Span where;           ///< the bytes at fault; `nowhere()` when a whole file is (see `path`)
   std::string path;     ///< of the file, when `where` has no source: a mesh, a missing file
   std::string of_file;  ///< whose content it tells of, where that is another than the one of `where`
+  bool measured = false;  ///< whether of that file it tells numbers only, and none of its text
   std::string subject;  ///< the entity, for people who think in robots: "arm/joint elbow"
   std::vector<Label> related;
   std::string help;           ///< what to do, in the imperative; empty when the message says it all

@@ -3,14 +3,13 @@
 //
 // `rigor inertia MODEL`: a model's inertials beside what its shapes say, and written into the file.
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
 
 #include <rigor/author/model_inertia.h>
 #include <rigor/mass/total.h>
+#include <rigor/mesh/read.h>
 #include <rigor/read/load.h>
 #include <rigor/report/inertia/inertia_report.h>
 #include <rigor/report/terminal/printable.h>
@@ -33,8 +32,6 @@ namespace {
 using author::InertiaOptions;
 using author::ModelInertia;
 using model::Id;
-
-constexpr std::string_view kMeshes[] = {".stl", ".obj", ".dae", ".glb", ".gltf", ".ply"};
 
 void refuse_shape_options(const InertiaArguments& a) {
   const auto refuse = [](bool given, const char* option) {
@@ -189,9 +186,7 @@ int run_model_inertia(const InertiaArguments& a) {
                      did_you_mean(a.what, {"box", "sphere", "cylinder", "capsule", "ellipsoid",
                                            "cone", "mesh"}));
   }
-  const std::string ending = extension(a.what);
-  if (disk.kind(a.what) == PathKind::kFile &&
-      std::find(std::begin(kMeshes), std::end(kMeshes), ending) != std::end(kMeshes)) {
+  if (disk.kind(a.what) == PathKind::kFile && mesh::has_mesh_ending(a.what)) {
     throw UsageError(a.what + " is a mesh; did you mean rigor inertia mesh " + a.what + "?");
   }
   const std::vector<Target> targets = a.output.targets_of({"text", "json"});

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include <rigor/mesh/read.h>
 #include <rigor/text/path.h>
 
 namespace rigor::tool {
@@ -41,17 +42,23 @@ std::string place_only(const Sources& sources, Span where) {
   return std::string(sources.path(where.source)) + ':' + std::to_string(position.line);
 }
 
+/// Whether it tells no more than how a mesh is shaped, as of `../meshes/arm.stl` beside a folder `urdf` that is in no
+/// package. A link to something else is no mesh.
+bool measures_mesh(const Diagnostic& diagnostic) {
+  return diagnostic.measured && mesh::has_mesh_ending(real_path_of(diagnostic.of_file));
+}
+
 class Withholding {
  public:
   Withholding(const Sources& sources, const Reach& reach) : sources_(sources), reach_(reach) {}
 
   Diagnostic of(Diagnostic diagnostic) {
     const bool own = is_out(diagnostic.where);
-    const bool of_other = !own && !diagnostic.of_file.empty() && !reach_.holds(diagnostic.of_file);
+    const bool of_other = !own && !diagnostic.of_file.empty() && !measures_mesh(diagnostic) &&
+                          !reach_.holds(diagnostic.of_file);
     if (own || of_other) {
-      diagnostic.message =
-          (own ? place_only(sources_, diagnostic.where) : diagnostic.of_file) +
-          " lies outside of what was named, and is not quoted";
+      diagnostic.message = (own ? place_only(sources_, diagnostic.where) : diagnostic.of_file) +
+                           " lies outside of what was named, and is not quoted";
       if (own) {
         diagnostic.path = sources_.path(diagnostic.where.source);
         diagnostic.where = {};

@@ -46,7 +46,7 @@ std::string real_path_of(const std::string& path);
 bool lies_below(std::string_view path, std::string_view folder);
 
 /// The findings without a word of files that are out of reach: such a finding names its rule, the file and the
-/// line, and neither quotes nor mends it.
+/// line, and neither quotes nor mends it. How a mesh is shaped is told wherever it lies.
 Diagnostics withheld(const Diagnostics& found, const Sources& sources, const Reach& reach);
 
 }  // namespace rigor::tool

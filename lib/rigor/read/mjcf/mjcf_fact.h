@@ -70,6 +70,7 @@ struct MjcfFact {
   std::string subject = {};  ///< "joint elbow"; empty when the place says it
   std::string name = {};
   std::string detail = {};
+  std::string path = {};  ///< where a missing file would be
   std::vector<std::string> candidates = {};  ///< names that there are, of a missing one
   Span related = {};
 };

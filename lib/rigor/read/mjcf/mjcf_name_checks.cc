@@ -273,12 +273,10 @@ void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfF
 }
 
 void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts) {
-  const auto exists = [&](xml::Element element, std::string_view folder,
-                          const model::Field<std::string>& file) {
-    const std::string path =
-        mjcf_asset_path(scope.tree, scope.settings, element, folder, file.value);
-    const std::string_view here = parent_path(scope.tree.path_of(element));
-    return disk.kind(join_path(here, path)) == PathKind::kFile;
+  const auto path_of = [&](xml::Element element, std::string_view folder,
+                           const model::Field<std::string>& file) {
+    return join_path(parent_path(scope.tree.path_of(element)),
+                     mjcf_asset_path(scope.tree, scope.settings, element, folder, file.value));
   };
   for (const xml::Element element : scope.tree.in_sections("asset")) {
     const std::string_view tag = element.name();
@@ -288,11 +286,13 @@ void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& fact
          {"file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"}) {
       const auto file = string_field(attribute_text(element, attribute));
       if (!file.written || file.value.empty()) continue;
-      if (exists(element, tag == "model" ? "" : folder, file)) continue;
+      std::string path = path_of(element, tag == "model" ? "" : folder, file);
+      if (disk.kind(path) == PathKind::kFile) continue;
       facts.push_back({.kind = MjcfFactKind::kAssetMissing,
                        .where = file.span,
                        .name = file.value,
-                       .detail = std::string(tag)});
+                       .detail = std::string(tag),
+                       .path = std::move(path)});
     }
     if (tag != "mesh") continue;
     const bool has_shape = element.attribute("file") || element.attribute("vertex") ||

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <rigor/read/template/source_edits.h>
+#include <rigor/read/values.h>
 
 namespace rigor::read {
 namespace {
@@ -163,6 +164,21 @@ Origin ExpandedFile::of_text(const xml::Element& element, const xacro::Node& nod
   return {node.where.span, node.frame};
 }
 
+std::optional<Origin> ExpandedFile::of_text_between(const xacro::Node& node, Span where,
+                                                    const Sources& sources) {
+  const std::string_view wanted = trimmed(sources.bytes(where));
+  if (wanted.empty()) return std::nullopt;
+  for (const xacro::Node* child = node.first; child != nullptr; child = child->next) {
+    if (child->kind != xacro::NodeKind::kText || child->where.span.nowhere()) continue;
+    const std::size_t at = sources.bytes(child->where.span).find(wanted);
+    if (at == std::string_view::npos) continue;
+    const std::size_t begin = child->where.span.begin + at;
+    return Origin{span_at(child->where.span.source, begin, begin + wanted.size()), child->frame,
+                  child->from, child->where.verbatim};
+  }
+  return std::nullopt;
+}
+
 Origin ExpandedFile::origin(const xml::Document& expanded, Span where,
                             const Sources& sources) const {
   const auto element = expanded.element_at(where.begin);
@@ -185,7 +201,7 @@ Origin ExpandedFile::origin(const xml::Document& expanded, Span where,
   if (!element->text().empty() && encloses(element->text_span(), where)) {
     return of_text(*element, node, where, sources);
   }
-  return {tag, node.frame};
+  return of_text_between(node, where, sources).value_or(Origin{tag, node.frame});
 }
 
 Span ExpandedFile::literal_span(const xml::Document& expanded, Span where,

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -57,6 +58,9 @@ class ExpandedFile {
                  const Sources& sources) const;
   Origin of_text(const xml::Element& element, const xacro::Node& node, Span where,
                  const Sources& sources) const;
+  /// Of stray text behind a child, which no element has for its value; nothing when no text of the element has it.
+  static std::optional<Origin> of_text_between(const xacro::Node& node, Span where,
+                                               const Sources& sources);
 
   /// Where the same bytes are written, in the template or an included file; else nowhere.
   Span literal_span(const xml::Document& expanded, Span where, const Sources& sources) const;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/core.h>
@@ -80,6 +81,34 @@ struct Compared {
   Point point;
   bool mirrored = false;
 };
+
+/// The files of the meshes that a link is seen by, with their scales.
+std::vector<std::pair<std::string, Vector3>> meshes_of(const model::Link& link,
+                                                       const model::Root& root) {
+  std::vector<std::pair<std::string, Vector3>> result;
+  for (const auto id : link.visuals) {
+    const auto* mesh = std::get_if<model::Mesh>(&root[id].geometry.shape);
+    if (mesh != nullptr) result.emplace_back(mesh->uri.value, mesh->scale.value);
+  }
+  return result;
+}
+
+/// Whether two links are seen by the same meshes: one part that is there twice, and not its mirror image.
+bool are_one_part(const model::Link& a, const model::Link& b, const model::Root& root) {
+  const auto meshes = meshes_of(a, root);
+  return &a != &b && !meshes.empty() && meshes == meshes_of(b, root);
+}
+
+/// Whether the links of a pair, or those that they are on, are one part.
+bool are_on_one_part(const Twins& pair, Context& context) {
+  const model::Root& root = context.root();
+  if (are_one_part(root.links[pair.a], root.links[pair.b], root)) return true;
+  const auto of_a = context.assembled().links[pair.a].carrier;
+  const auto of_b = context.assembled().links[pair.b].carrier;
+  if (!of_a || !of_b) return false;
+  const auto a = context.frames().ends(of_a).parent, b = context.frames().ends(of_b).parent;
+  return a && b && are_one_part(root[a], root[b], root);
+}
 
 /// Where the poses of the links' centers of mass are.
 std::optional<Point> center_of_mass(const Twins& pair, Context& context) {
@@ -188,6 +217,7 @@ void report(const Kind& kind, const MirrorPlane& plane, Context& context) {
     const std::vector<Flip> flips = flips_of(one.point, plane);
     if (flips.empty()) continue;
     const Flip flip = likely(flips, one, plane, kind.compared, context);
+    if (!flip.confirmed && are_on_one_part(one.pair, context)) continue;
     const model::PoseField& pose = flip.of_first ? *one.point.a : *one.point.b;
     const model::PoseField& other = flip.of_first ? *one.point.b : *one.point.a;
     const model::Link& link = root.links[flip.of_first ? one.pair.a : one.pair.b];
@@ -241,8 +271,8 @@ Rule rule() {
              "wrong place. Other pairs of the robot, left and right, are mirror images; this one "
              "has the same numbers, and is one once a sign is changed. Joints are at zero. It is "
              "a warning when another part of that side, in front or behind, has the sign, or when "
-             "it is on the side where all others have the other name; sensors "
-             "and hands that are the same on both sides are no mirror images.",
+             "it is on the side where all others have the other name; else what is seen by the "
+             "same meshes on both sides, as a camera, is one part and no mirror image.",
       .what_to_do = "Change the sign of the coordinate in the one that is wrong. `rigor inspect "
                     "--assembled` prints the plane and the pairs.",
       .checks = {on<model::Root>(check)},

@@ -10,11 +10,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include <rigor/read/values.h>
 #include <rigor/robot/assembled/assembled.h>
 #include <rigor/robot/assembled/oriented_box.h>
 #include <rigor/robot/assembled/siblings.h>
@@ -203,12 +205,19 @@ std::string slip_between(const SiblingField& wrong, const SiblingField& right) {
   return {};
 }
 
-std::string numbers_of(const SiblingField& field) {
+/// As they are written: what is compared has no signs.
+std::string numbers_of(const SiblingField& field, const Context& context) {
   if (field.kind == FieldKind::kType) {
     const auto type = static_cast<model::JointType>(static_cast<int>(field.values.front()));
     return fmt::format(" '{}'", model::to_string(type));
   }
-  return ' ' + write::joined({field.values.begin(), field.values.end()}) +
+  const std::string_view written = read::trimmed(context.bytes(field.span));
+  const auto blanks = static_cast<std::size_t>(std::count(written.begin(), written.end(), ' '));
+  const bool plain = blanks + 1 == field.values.size() &&
+                     written.find_first_not_of("+-.0123456789eE ") == written.npos;
+  return ' ' +
+         (plain ? std::string(written)
+                : write::joined({field.values.begin(), field.values.end()})) +
          (*field.unit ? ' ' + std::string(field.unit) : "");
 }
 
@@ -364,12 +373,12 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
       .message =
           odd.right.size() == 1
               ? fmt::format("{}{} differs from that of the part of the same kind, '{}':{}",
-                            name_of(wrong), numbers_of(wrong), all[odd.right.front()].name.value,
-                            numbers_of(right))
+                            name_of(wrong), numbers_of(wrong, context),
+                            all[odd.right.front()].name.value, numbers_of(right, context))
               : fmt::format(
                     "{}{} differs from that of {} parts of the same kind, '{}' and others:{}",
-                    name_of(wrong), numbers_of(wrong), odd.right.size(),
-                    all[odd.right.front()].name.value, numbers_of(right)),
+                    name_of(wrong), numbers_of(wrong, context), odd.right.size(),
+                    all[odd.right.front()].name.value, numbers_of(right, context)),
       .subject = context.subject(all[odd.wrong]),
       .related = {{right.span.nowhere() ? all[odd.right.front()].site.name : right.span,
                    "as in the others"}},

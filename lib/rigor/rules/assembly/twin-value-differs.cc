@@ -256,15 +256,16 @@ std::string message_of(const Odd& odd, const std::string& twin) {
                        wrong.name(), value_text(wrong), odd.factor, larger ? "larger" : "smaller",
                        twin, right.value);
   }
-  std::string now = value_text(wrong), meant = value_text(right);
-  if (places.size() > 1) {
-    now = meant = {};
-    for (const std::size_t i : places) {
-      now += fmt::format("{}{:.6g}", now.empty() ? "" : ", ", (*odd.wrong)[i].value);
-      meant += fmt::format("{}{:.6g}", meant.empty() ? "" : ", ", (*odd.right)[i].value);
-    }
+  if (places.size() == 1) {
+    return fmt::format("{} is {}, and that of its twin '{}' {}", wrong.name(), value_text(wrong),
+                       twin, value_text(right));
   }
-  return fmt::format("{} is {}, and that of its twin '{}' {}", name_of(odd), now, twin, meant);
+  std::string now, meant;
+  for (const std::size_t i : places) {
+    now += fmt::format("{}{:.6g}", now.empty() ? "" : ", ", (*odd.wrong)[i].value);
+    meant += fmt::format("{}{:.6g}", meant.empty() ? "" : ", ", (*odd.right)[i].value);
+  }
+  return fmt::format("{} are {}, and those of its twin '{}' {}", name_of(odd), now, twin, meant);
 }
 
 template <class Entity>
@@ -374,8 +375,12 @@ class TwinCheck {
       }
     }
     decide(odd, a.numbers, b.numbers, others);
-    if constexpr (std::is_same_v<Entity, model::Link>)
+    if constexpr (std::is_same_v<Entity, model::Link>) {
+      const bool bodies =
+          context_.verdict(all_[pair.a]).possible() && context_.verdict(all_[pair.b]).possible();
+      if (a.numbers[odd.begin].value_name == "ixx" && !bodies) return;  // reported of that tensor
       decide_by_shapes(odd, all_[pair.a], all_[pair.b], context_);
+    }
     if (odd.confirmed < least_confirmed || odd.places().empty()) return;
     if (is_where_it_stands(a.numbers[odd.begin]) &&
         (may_be_anywhere(link_of(pair.a), link_of(pair.b), context_) || is_place_taken(pair, odd)))

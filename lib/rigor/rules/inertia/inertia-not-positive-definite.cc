@@ -44,8 +44,8 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is not positive definite",
       .why =
-          "libsdformat (Gazebo), Drake and MuJoCo reject the model, libsdformat without naming the "
-          "number (error 18). About some axis the body would turn against a push. urdfdom does not "
+          "libsdformat (Gazebo) and MuJoCo reject the model, libsdformat without naming the number "
+          "(error 18); Drake warns and takes a ball of water in its place. About some axis the body would turn against a push. urdfdom does not "
           "check it.",
       .what_to_do = "Compute the tensor again from the mass and the shapes. Mind the order ixx ixy "
                     "ixz iyy iyz izz and the units.",

@@ -33,10 +33,10 @@ std::string rounding(const mass::Verdict::Triangle& triangle) {
 // Times the sum of the others: what breaks the inequality by less is another slip than a decimal point.
 constexpr double kFarOff = 2;
 
-/// The largest moment with its decimal point back in place, when the tensor is a body's then.
-std::optional<Fix> fix_of_point(const model::Inertial& inertial,
-                                const mass::Verdict::Triangle& triangle,
-                                const model::Field<double>* largest) {
+/// The largest moment with its decimal point back in place, when the tensor is a body's then, and one like the shapes.
+std::optional<Fix> fix_of_point(const model::Link& link, const mass::Verdict::Triangle& triangle,
+                                const model::Field<double>* largest, Context& context) {
+  const model::Inertial& inertial = link.inertial;
   if (largest == nullptr || triangle.largest < kFarOff * triangle.sum) return std::nullopt;
   for (const double power : {1e-1, 1e-2, 1e-3}) {
     mass::Inertia tensor = mass::tensor(inertial);
@@ -46,6 +46,8 @@ std::optional<Fix> fix_of_point(const model::Inertial& inertial,
     entry *= power;
     if (entry > triangle.sum) continue;
     if (!mass::judge(inertial.mass.value, tensor).possible()) return std::nullopt;
+    const auto share = share_of_solid(link, inertial.mass.value, tensor, context);
+    if (share && !plausible(*share)) return std::nullopt;
     const std::string text = times_power_of_ten(largest->value, power);
     return Fix{fmt::format("write {} = {}", triangle.names[2], text),
                Applicability::kUnsafe,
@@ -56,7 +58,7 @@ std::optional<Fix> fix_of_point(const model::Inertial& inertial,
 
 std::optional<Fix> fix_for(const model::Link& link, const mass::Verdict::Triangle& triangle,
                            const model::Field<double>* largest, Context& context) {
-  auto fix = fix_of_point(link.inertial, triangle, largest);
+  auto fix = fix_of_point(link, triangle, largest, context);
   return fix ? std::move(fix) : fix_from_shapes(link, context);
 }
 
@@ -83,8 +85,8 @@ void check(const model::Link& link, Context& context) {
        .fix = rounding(triangle).empty() ? fix_for(link, triangle, largest, context) : std::nullopt,
        .refused = refused,
        .why = refused ? ""
-                      : "Drake and MuJoCo reject the model; libsdformat (Gazebo) adds the link to "
-                        "the one that it is fixed to, and their sum is valid.",
+                      : "MuJoCo rejects the model; libsdformat (Gazebo) adds the link to the one "
+                        "that it is fixed to, and their sum is valid.",
        .severity = refused ? std::nullopt : std::optional(Severity::kWarning)});
 }
 
@@ -95,9 +97,10 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "inertia tensor violates the triangle inequality",
-      .why = "libsdformat (Gazebo), Drake and MuJoCo reject the model, libsdformat without naming "
-             "the number (error 18). For any rigid body the sum of two moments of inertia is at "
-             "least the third. In a URDF link that is fixed to another, whose sum is valid, "
+      .why = "libsdformat (Gazebo) and MuJoCo reject the model, libsdformat without naming the "
+             "number (error 18); Drake warns and takes a ball of water in its place. For any rigid "
+             "body the sum of two moments of inertia is at least the third. In a URDF link that is "
+             "fixed to another, whose sum is valid, "
              "libsdformat accepts it: that is a warning. urdfdom does not check it. A difference "
              "of less than 0.1 % "
              "that libsdformat accepts is not reported.",

@@ -3,7 +3,7 @@
 //
 // The fix that all rules about inertials share: what the link's shapes have as solids, written in
 // place of what is there. `rigor inertia` writes the same numbers, but a center of mass that is
-// written stays: no rule that has this fix doubts it.
+// written stays where a body in the shapes can have it: no rule that has this fix doubts it.
 
 #pragma once
 
@@ -19,6 +19,7 @@
 #include <rigor/read/values.h>
 #include <rigor/rules/context.h>
 #include <rigor/rules/geometry/suspicious_size.h>
+#include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/write/write_inertial.h>
 
@@ -92,6 +93,20 @@ inline bool has_malformed_value(const model::Inertial& inertial, const Context& 
   return false;
 }
 
+/// Whether a body within the shapes can have its tensor about another center. Along an axis the mean square of the
+/// distance from the center c is (c - a)(b - c) at most for what lies between a and b (R. Bhatia, C. Davis, "A better
+/// bound on the variance", American Mathematical Monthly 107(4), 2000).
+inline bool fits_about(const model::Vector3& center, const mass::MassProperties& body,
+                       const Outline& shapes) {
+  const mass::Inertia& tensor = body.about_com;
+  const double half = mass::trace(tensor) / 2;  // Σ m r²
+  const auto fits = [&](const model::Vector3& axis, double moment) {
+    const double c = model::dot(axis, center);
+    return half - moment <= body.mass * (c + shapes.reach(-1 * axis)) * (shapes.reach(axis) - c);
+  };
+  return fits({1, 0, 0}, tensor.ixx) && fits({0, 1, 0}, tensor.iyy) && fits({0, 0, 1}, tensor.izz);
+}
+
 /// Nothing when neither the collisions nor the visuals are all solids that can be the body, or when
 /// the author's own numbers or sizes are in doubt.
 inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& context) {
@@ -109,8 +124,12 @@ inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& cont
     std::string title = title_of(*proposal, link.inertial, context);
     const model::Vector3& center = link.inertial.pose.pose.value.translation;
     if (link.inertial.pose.pose.written && length(center - body.com) > kSameCenter) {
-      body.com = center;
-      title += ", about the written center of mass";
+      Outline shapes(link, context);
+      const bool known =
+          from == mass::From::kCollisions ? shapes.add_collisions(link) : shapes.add_visuals(link);
+      const bool stays = known && fits_about(center, body, shapes);
+      if (stays) body.com = center;
+      title += stays ? ", about the written center of mass" : ", about their own center of mass";
     }
     auto edits =
         write::write_inertial(context.document(), context.element(link.site), body, format);

@@ -91,7 +91,8 @@ std::optional<Fix> in_radians(const model::Axis& axis, const Context& context) {
 }
 
 void check(const model::Joint& joint, Context& context) {
-  if (!turns(joint.type)) return;
+  // A screw turns many times.
+  if (!turns(joint.type) || joint.type == model::JointType::kScrew) return;
   for (const model::Axis& axis : joint.axes) {
     const bool lower = axis.lower.written && looks_like_degrees(axis.lower.value);
     const bool upper = axis.upper.written && looks_like_degrees(axis.upper.value);

@@ -1,10 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include <fmt/core.h>
 
@@ -22,29 +20,30 @@ constexpr double kSame = 5e-3;
 // rad/s: fast servos of arms and legs turn at 30.
 constexpr double kMin = 40;
 
-/// Another joint's velocity that is this one, in radians.
-std::optional<double> twin(double velocity, const std::vector<double>& others) {
-  for (const double other : others) {
-    if (other > 0 && std::abs(velocity / kDegree - other) < kSame * other) return other;
+/// The velocity of another joint of the type that is this one, in radians: a wheel is faster than what tilts.
+std::optional<double> twin(const model::Joint& joint, const model::Model& robot,
+                           const model::Root& root) {
+  const double velocity = joint.axes.front().velocity.value;
+  for (const auto id : robot.joints) {
+    const model::Joint& other = root[id];
+    if (other.type != joint.type || other.axes.empty()) continue;
+    const auto& given = other.axes.front().velocity;
+    if (given.written && given.value > 0 &&
+        std::abs(velocity / kDegree - given.value) < kSame * given.value) {
+      return given.value;
+    }
   }
   return std::nullopt;
 }
 
 void check(const model::Model& robot, Context& context) {
   const model::Root& root = context.root();
-  std::vector<double> velocities;
-  for (const auto id : robot.joints) {
-    const model::Joint& joint = root[id];
-    if (!turns(joint.type) || joint.axes.empty() || !joint.axes.front().velocity.written) continue;
-    velocities.push_back(joint.axes.front().velocity.value);
-  }
-  if (velocities.size() < 2) return;
   for (const auto id : robot.joints) {
     const model::Joint& joint = root[id];
     if (!root.own(joint.site) || !turns(joint.type) || joint.axes.empty()) continue;
     const auto& velocity = joint.axes.front().velocity;
     if (!velocity.written || !(velocity.value > kMin)) continue;
-    const auto meant = twin(velocity.value, velocities);
+    const auto meant = twin(joint, robot, root);
     if (!meant) continue;
     context.report(
         {.where = velocity.span,
@@ -66,7 +65,8 @@ Rule rule() {
       .summary = "a joint's velocity limit is another's in degrees per second",
       .why = "The limit is in rad/s: read so, the joint may turn fifty times faster than its "
              "neighbors, and a trajectory that is timed by it is one that no motor follows. A "
-             "velocity is reported when it is that of another joint of the robot times 180/π.",
+             "velocity is reported when it is that of another joint of the robot, of the same "
+             "type, times 180/π.",
       .what_to_do = "Convert it to radians per second.",
       .checks = {on<model::Model>(check)},
   };

@@ -29,12 +29,20 @@ inline const mesh::Fault* fault_of(const MeshFile& file, mesh::FaultKind kind) {
   return found == faults.end() ? nullptr : &*found;
 }
 
+/// In words that hold no text of the file: of one that is out of reach nothing else is told.
 inline void report_mesh(const MeshFile& file, Context& context, std::string message,
                         std::string why = {}) {
   context.report({.where = file.where(),
                   .message = std::move(message),
+                  .measured = true,
                   .subject = file.subject(),
                   .why = std::move(why)});
+}
+
+/// In words that may quote the file.
+inline void report_mesh_text(const MeshFile& file, Context& context, std::string message) {
+  context.report(
+      {.where = file.where(), .message = std::move(message), .subject = file.subject()});
 }
 
 /// "1 facet", "3 facets".

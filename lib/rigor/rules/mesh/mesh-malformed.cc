@@ -26,7 +26,7 @@ void check(const MeshFile& file, Context& context) {
   using Kind = mesh::FaultKind;
   for (const Kind kind : {Kind::kMalformed, Kind::kImporterCrashed, Kind::kUnreadable}) {
     const mesh::Fault* fault = fault_of(file, kind);
-    if (fault != nullptr) return report_mesh(file, context, message(*fault));
+    if (fault != nullptr) return report_mesh_text(file, context, message(*fault));
   }
 }
 

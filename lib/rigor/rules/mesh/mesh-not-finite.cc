@@ -9,10 +9,11 @@ namespace rigor::rules::mesh_not_finite {
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kNotFinite);
   if (fault == nullptr) return;
-  report_mesh(file, context,
-              how_many(fault->count, "coordinate") + (fault->count == 1 ? " is" : " are") +
-                  " NaN or infinite" +
-                  (fault->detail.empty() ? in_line(fault->line) : ", first in " + fault->detail));
+  report_mesh_text(
+      file, context,
+      how_many(fault->count, "coordinate") + (fault->count == 1 ? " is" : " are") +
+          " NaN or infinite" +
+          (fault->detail.empty() ? in_line(fault->line) : ", first in " + fault->detail));
 }
 
 Rule rule() {

@@ -9,9 +9,9 @@ namespace rigor::rules::mesh_too_large {
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kTooLarge);
   if (fault == nullptr) return;
-  report_mesh(file, context,
-              "the mesh is too large to be read: " +
-                  (fault->detail.empty() ? "over 50 million triangles" : fault->detail));
+  report_mesh_text(file, context,
+                   "the mesh is too large to be read: " +
+                       (fault->detail.empty() ? "over 50 million triangles" : fault->detail));
 }
 
 Rule rule() {

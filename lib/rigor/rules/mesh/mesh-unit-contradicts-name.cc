@@ -41,9 +41,9 @@ void check(const MeshFile& file, Context& context) {
   const std::optional<double> named = meter_of(collada->unit_name);
   const double written = collada->meter.value_or(1);  // the default, by Collada's definition
   if (!named || std::abs(written - *named) <= kRounded * *named) return;
-  report_mesh(file, context,
-              fmt::format("the unit is named {}, which is {} m, but is given as {} m{}",
-                          collada->unit_name, *named, written, in_line(collada->unit_line)));
+  report_mesh_text(file, context,
+                   fmt::format("the unit is named {}, which is {} m, but is given as {} m{}",
+                               collada->unit_name, *named, written, in_line(collada->unit_line)));
 }
 
 Rule rule() {

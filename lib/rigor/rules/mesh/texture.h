@@ -55,8 +55,9 @@ inline void report_references(const MeshFile& file, Context& context, const Refe
                               const std::string& one, const std::string& several) {
   if (references.empty()) return;
   const std::string count = std::to_string(references.size());
-  report_mesh(file, context,
-              (references.size() == 1 ? one : count + ' ' + several) + ": " + names_of(references));
+  report_mesh_text(
+      file, context,
+      (references.size() == 1 ? one : count + ' ' + several) + ": " + names_of(references));
 }
 
 }  // namespace rigor::rules

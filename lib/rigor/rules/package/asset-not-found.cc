@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,15 +55,7 @@ std::optional<Fix> other_case(const read::Text& text, const read::Resolution& fo
   return Fix{"write " + std::string(right), Applicability::kSafe, {{span, std::string(right)}}};
 }
 
-struct Missing {
-  read::Text first;
-  std::string_view kind;
-  std::size_t others = 0;  ///< further places that name it
-};
-
-/// What the file names and does not exist, by URI; of the first place that names it.
-std::map<std::string, Missing> missing_assets(Context& context) {
-  std::map<std::string, Missing> missing;
+void check(const model::Root& /*root*/, Context& context) {
   for (const xml::Element element : context.elements_about_files()) {
     const std::string_view kind = kind_of_asset(element);
     if (kind.empty()) continue;
@@ -75,32 +65,17 @@ std::map<std::string, Missing> missing_assets(Context& context) {
     if (uri.empty() || has_xacro(uri) || is_of_gazebo(uri, element) || is_reported_elsewhere(uri)) {
       continue;
     }
-    const auto [known, is_new] = missing.try_emplace(uri, Missing{*written, kind});
-    if (!is_new) {
-      ++known->second.others;
-      continue;
-    }
     const read::Resolution& found = context.resolve(uri);
-    if (found.path || found.remote) missing.erase(known);
-  }
-  return missing;
-}
-
-void check(const model::Root& /*root*/, Context& context) {
-  for (const auto& [uri, asset] : missing_assets(context)) {
-    const read::Resolution& found = context.resolve(uri);
-    Finding finding{.where = asset.first.span,
-                    .message = "the " + std::string(asset.kind) + " '" + uri + "' is not found",
+    if (found.path || found.remote) continue;
+    Finding finding{.where = written->span,
+                    .message = "the " + std::string(kind) + " '" + uri + "' is not found",
                     .cause = missing_part(uri, found, context),
-                    .why = asset.kind == "texture"
+                    .why = kind == "texture"
                                ? "The simulator draws the part without it, in one color."
                                : ""};
     if (!found.other_case.empty()) {
       finding.message += ", but '" + found.other_case + "' is: only the case of letters differs";
-      if (asset.others == 0) finding.fix = other_case(asset.first, found);
-    }
-    if (asset.others > 0) {
-      finding.message += "; it is named " + std::to_string(asset.others + 1) + " times";
+      finding.fix = other_case(*written, found);
     }
     context.report(std::move(finding));
   }

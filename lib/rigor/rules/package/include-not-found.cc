@@ -11,13 +11,19 @@
 
 namespace rigor::rules::include_not_found {
 
+std::string help(const read::Fact& fact, const read::Resolution& found, Context& context) {
+  if (!found.other_case.empty())
+    return "there is '" + found.other_case + "': names are case-sensitive";
+  const std::string model = "model://" + fact.name;
+  if (found.scheme.empty() && context.resolve(model).path) return "write " + model;
+  return tried_places(fact.tried, fact.name);
+}
+
 void check(const read::Fact& fact, Context& context) {
   const read::Resolution& found = context.resolve(fact.name);
-  const std::string& other = found.other_case;
   context.report({.where = fact.where,
                   .message = "'" + fact.name + "' is not found",
-                  .help = other.empty() ? tried_places(fact.tried, fact.name)
-                                        : "there is '" + other + "': names are case-sensitive",
+                  .help = help(fact, found, context),
                   .cause = missing_part(fact.name, found, context)});
 }
 

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,8 @@ namespace rigor::rules::drive_wheels_inconsistent {
 
 // 60°: no camber, toe or mecanum roller comes near.
 constexpr double kAcross = 0.5;
+
+constexpr double kVertical = 0.9;  // cosine
 
 // m; wheels of one side are apart by more than what rounding makes of poses.
 constexpr double kApart = 1e-3;
@@ -51,6 +54,14 @@ bool check_pair(const DrivenWheel& left, const DrivenWheel& right, const model::
            fmt::format(
                "the axes of {} and {} are opposed: commanded straight ahead, the robot rotates",
                name_of(left, context), name_of(right, context)),
+           plugin, context);
+    return true;
+  }
+  const bool flat = std::min(std::abs(left.axis.z), std::abs(right.axis.z)) > kVertical;
+  if (flat && !left.across && !right.across) {
+    report(left,
+           fmt::format("the axes of {} and {} are vertical: the wheels lie flat, and do not roll",
+                       name_of(left, context), name_of(right, context)),
            plugin, context);
     return true;
   }
@@ -101,7 +112,7 @@ Rule rule() {
   return {
       .name = "drive-wheels-inconsistent",
       .severity = Severity::kWarning,
-      .summary = "the wheels of a drive plugin are exchanged, opposed or not wheels of one axle",
+      .summary = "the wheels of a drive plugin are exchanged, opposed, flat or not of one axle",
       .why = "The robot rotates when it should drive, or turns left when it should turn right, "
              "and its odometry says otherwise. To go forward a drive turns the joints of both "
              "sides at the same positive speed, and a positive rotation about an axis that points "

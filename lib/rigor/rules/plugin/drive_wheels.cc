@@ -77,7 +77,9 @@ void add_radii(const std::vector<model::Id<Part>>& parts, DrivenWheel& wheel, Co
       across.push_back(cylinder->radius.value);
   }
   // Its axis is wrong, and not the wheel.
-  if (wheel.radii.empty()) wheel.radii = std::move(across);
+  if (!wheel.radii.empty()) return;
+  wheel.across = !across.empty();
+  wheel.radii = std::move(across);
 }
 
 std::optional<DrivenWheel> wheel_of(const model::Parameter& named, model::Id<model::Model> scope,

@@ -25,6 +25,7 @@ struct DrivenWheel {
   model::Vector3 center;          ///< of the link's shapes; the joint's where it has none
   model::Vector3 axis;            ///< unit vector, in that frame
   std::vector<double> radii;  ///< m, of the link's shapes, as far as they are round about the axis
+  bool across = false;  ///< they are round about another one, which wheel-axis-mismatch reports
 };
 
 struct Drive {

@@ -15,6 +15,7 @@
 #include <rigor/rules/plugin/parameters.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
+#include <rigor/xml/edit.h>
 
 namespace rigor::rules::plugin_joint_missing {
 
@@ -95,6 +96,42 @@ void check_unknown(const model::Plugin& plugin, const model::Parameter& given, C
   }
 }
 
+/// The joints that move a link of this name, or the link that a joint of this name moves: it was named in place of
+/// them. Nothing when there is none.
+std::vector<std::string> named_in_place(model::Id<model::Model> scope, ParameterOf what,
+                                        std::string_view name, const Context& context) {
+  const model::Root& root = context.root();
+  std::vector<std::string> meant;
+  for (const auto id : root[scope].joints) {
+    const model::Joint& joint = root[id];
+    const bool joins = joint.child.value == name && joint.type != model::JointType::kFixed;
+    if (what == ParameterOf::kJoint && joins) meant.push_back(joint.name.value);
+    if (what == ParameterOf::kLink && joint.name.value == name) meant.push_back(joint.child.value);
+  }
+  return meant;
+}
+
+/// Names that may be meant, the likely ones alone where it is known what was named in place of them.
+Finding with_meant(Finding finding, const model::Plugin& plugin, ParameterOf what,
+                   const std::string& name, Context& context) {
+  const std::vector<std::string> meant = named_in_place(plugin.model, what, name, context);
+  if (meant.size() != 1) {
+    const auto all = [&] { return context.frames().names().in({plugin.model, {}}); };
+    return with_nearest(std::move(finding), name, all, context);
+  }
+  finding.cause = name;
+  finding.help =
+      what == ParameterOf::kJoint
+          ? fmt::format("'{}' is a link, which the joint '{}' moves", name, meant.front())
+          : fmt::format("'{}' is a joint, which moves the link '{}'", name, meant.front());
+  if (context.bytes(finding.where) == name) {
+    finding.fix = Fix{"name '" + meant.front() + "'",
+                      Applicability::kUnsafe,
+                      {{finding.where, xml::escaped(meant.front())}}};
+  }
+  return finding;
+}
+
 void check(const model::Root& root, Context& context) {
   const model::Names& names = context.frames().names();
   for (const model::Plugin& plugin : root.plugins) {
@@ -114,14 +151,13 @@ void check(const model::Root& root, Context& context) {
       if (value.empty() || value.find_first_of(", ") != std::string::npos) continue;
       if (exists(names, plugin.model, parameter->what, value)) continue;
       if (exists(names, plugin.model, parameter->what, inner)) continue;
-      const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
-      context.report(with_nearest(
+      context.report(with_meant(
           {.where = child.value.span,
            .message = fmt::format("the plugin needs the {} '{}', which the model does not have",
                                   kind, value),
            .subject = context.subject(plugin)},
-          value, all, context));
+          plugin, parameter->what, value, context));
     }
   }
 }

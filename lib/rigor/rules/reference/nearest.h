@@ -27,7 +27,11 @@ namespace rigor::rules {
 inline Finding with_nearest(Finding finding, std::string_view name,
                             const std::vector<std::string>& candidates, const Context& context) {
   finding.cause = name;
-  const auto near = schema::near(name, {candidates.begin(), candidates.end()});
+  std::vector<std::string_view> others;  // the name itself may be there for something else
+  for (const std::string& candidate : candidates) {
+    if (candidate != name) others.emplace_back(candidate);
+  }
+  const auto near = schema::near(name, others);
   if (near.empty()) return finding;
   const std::string meant(near.front());
   finding.help = "did you mean '" + meant + "'?";

@@ -25,6 +25,7 @@ void check(const model::Include& include, Context& context) {
   const std::string& uri = include.uri.value;
   // A path to a file is meant as one.
   if (uri.empty() || uri.find_first_of(":/\\.$") != uri.npos) return;
+  if (!context.resolve(uri).path) return;  // include-not-found
   std::optional<Fix> fix;
   if (context.bytes(include.uri.span) == uri) {
     fix = Fix{"write model://", Applicability::kUnsafe, {{include.uri.span, "model://" + uri}}};

@@ -54,7 +54,9 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
                                 fact.where.source == expansion.files.front().source);
     if (fact.kind == xacro::FactKind::kPackageNotFound && one.lacks_package.empty())
       one.lacks_package = fact.name;
-    if (fact.kind == xacro::FactKind::kUndefinedArgument && one.left_out.empty()) {
+    // What is near to an argument that there is was misspelt, and no launch file gives it.
+    if (fact.kind == xacro::FactKind::kUndefinedArgument && fact.near.empty() &&
+        one.left_out.empty()) {
       one.left_out = "xacro: argument '" + fact.name +
                      "' has no default: give sets of arguments in [[xacro]] of rigor.toml";
     }
