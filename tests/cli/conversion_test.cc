@@ -30,6 +30,18 @@ TEST_F(ConversionCli, AJointInABlockOfGazeboIsInTheResult) {
   EXPECT_NE(ran.out.find("<joint name='loop' type='revolute'>"), std::string::npos) << ran.out;
 }
 
+/// As the PR2 has them, for a screw that URDF has not.
+TEST_F(ConversionCli, LinksInABlockOfGazeboAreNoOtherRobot) {
+  folder.put("screw.urdf",
+             "<robot name='r'>" + urdf_link("a") +
+                 "<gazebo><link name='motor'><inertial><mass>0.2</mass></inertial></link>"
+                 "<joint name='turn' type='revolute'><parent>a</parent><child>motor</child>"
+                 "<axis><xyz>0 0 1</xyz></axis></joint></gazebo></robot>");
+  const Ran ran = folder.rigor("urdf2sdf screw.urdf");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.out.find("<link name='motor'>"), std::string::npos) << ran.out;
+}
+
 TEST_F(ConversionCli, WritesTheModelToStdoutAndTheRestToStderr) {
   const Ran ran = folder.rigor("sdf2urdf arm.sdf");
   EXPECT_EQ(ran.exit, 0);

@@ -237,6 +237,39 @@ TEST(FromMjcf, TwoConnectsOnAnAxisAreAHinge) {
   EXPECT_EQ(sdf.against(), Names{});
 }
 
+TEST(FromMjcf, WhatABallAndAFreeJointCannotHaveIsLost) {
+  const std::string text =
+      body("base", "<joint type='free' damping='0.1'/>" +
+                       body("arm",
+                            "<joint name='j' type='ball' damping='2' stiffness='3' "
+                            "frictionloss='4' range='0 60'/>"));
+  const FromMjcf sdf(text, ResultFormat::kSdf);
+  EXPECT_EQ(sdf.of_rule("convert-from-mjcf-limit").size(), 5U);
+  EXPECT_EQ(sdf.against(), Names{});
+  // Each of the three joints has its damping.
+  const FromMjcf urdf(text, ResultFormat::kUrdf);
+  EXPECT_EQ(urdf.of_rule("convert-from-mjcf-limit").size(), 4U);
+}
+
+TEST(FromMjcf, AMissingIncludeIsRefused) {
+  const FromMjcf sdf("<include file='none.xml'/>" + body("a", "<freejoint/>"), ResultFormat::kSdf);
+  EXPECT_EQ(sdf.of_rule("convert-unresolved").size(), 1U);
+  EXPECT_TRUE(sdf.all("link").empty());
+}
+
+TEST(FromMjcf, WhatOnlyOneSideOfAnActuatorHasIsSaid) {
+  const auto said = [](const std::string& range) {
+    const FromMjcf sdf("<mujoco><worldbody>" + body("a", "<joint name='j'/>") +
+                           "</worldbody><actuator><motor name='m' joint='j' ctrllimited='true' "
+                           "ctrlrange='" +
+                           range + "'/></actuator></mujoco>",
+                       ResultFormat::kSdf);
+    return sdf.of_rule("convert-from-mjcf-actuator").size();
+  };
+  EXPECT_EQ(said("-1 1"), 0U);
+  EXPECT_EQ(said("0 1"), 1U);
+}
+
 TEST(FromMjcf, AnActuatorLimitsTheEffort) {
   const FromMjcf urdf(finger("<actuator><motor joint='lead' gear='3' ctrlrange='-2 2'/>"
                              "<position joint='tail' kp='9' forcerange='-5 5'/></actuator>"),
@@ -256,6 +289,35 @@ TEST(FromMjcf, ASiteIsAFrameAndAnAccelerometerWithAGyroAnImu) {
   EXPECT_EQ(sdf.at("sensor", "chip", "@type"), "imu");
   EXPECT_EQ(sdf.at("sensor", "chip", "pose"), "0 0 0.1 0 0 0");
   EXPECT_EQ(sdf.against(), Names{});
+}
+
+TEST(FromMjcf, AForceIsWhatTheParentDoesToTheChild) {
+  const FromMjcf sdf("<mujoco><worldbody>" +
+                         body("base", body("arm", "<joint name='j'/><site name='s'/>")) +
+                         "</worldbody><sensor><force site='s'/></sensor></mujoco>",
+                     ResultFormat::kSdf);
+  EXPECT_EQ(sdf.at("sensor", "s", "force_torque/measure_direction"), "parent_to_child");
+}
+
+// Of two bodies that rigor adds, or rounding of a center of mass, a proof makes nothing: 8000 kg against 1e-7 kg.
+TEST(FromMjcf, WhatWeighsNextToNothingIsNoOtherRobot) {
+  const FromMjcf sdf(
+      "<geom type='box' size='1 1 1'/>" +
+          std::string("<body pos='0 0 2'><freejoint/><geom type='box' size='1 1 1'/></body>"),
+      ResultFormat::kSdf);
+  EXPECT_EQ(sdf.against(), Names{});
+}
+
+TEST(FromMjcf, TorsionalFrictionIsLostWhereItIsNotMuJoCosOwn) {
+  const auto said = [](const std::string& friction) {
+    const FromMjcf sdf(
+        "<body name='a'><freejoint/><geom size='1' friction='" + friction + "'/></body>",
+        ResultFormat::kSdf);
+    return sdf.of_rule("convert-from-mjcf-contact").size();
+  };
+  EXPECT_EQ(said("0.7"), 0U);
+  EXPECT_EQ(said("0.7 0.005 0.0001"), 0U);
+  EXPECT_EQ(said("0.7 0.3 0.0001"), 1U);
 }
 
 TEST(FromMjcf, AFloorIsALinkOfItsOwnInSdf) {

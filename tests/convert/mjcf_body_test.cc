@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <rigor/mass/mass_properties.h>
+#include <rigor/read/mjcf/mjcf_settings.h>
 
 #include "convert/mjcf_converted.h"
 
@@ -53,6 +54,47 @@ TEST(MjcfBody, FullTensorIsKeptInItsPrincipalFrame) {
   EXPECT_NEAR(I.iyy, 4e-7, kSmall);
   EXPECT_NEAR(I.iyz, 3e-8, kSmall);
   EXPECT_NEAR(I.izz, 5e-7, kSmall);
+}
+
+// The camera is a hand's breadth before its sensor and looks down: a turn of 90° about y.
+TEST(MjcfBody, ACameraHasItsOwnPoseInItsSensor) {
+  const auto camera = [](const std::string& pose) {
+    return MjcfConverted(
+        mjcf_link("a", "<sensor name='eye' type='camera'><pose>1 0 0 0 0 0</pose><camera>" + pose +
+                           "<horizontal_fov>1</horizontal_fov></camera></sensor>"));
+  };
+  EXPECT_EQ(camera("").attribute("camera", "eye", "pos"), "1 0 0");
+  const MjcfConverted moved = camera("<pose>0.1 0 0 0 0 0</pose>");
+  EXPECT_EQ(moved.attribute("camera", "eye", "pos"), "1.1 0 0");
+}
+
+// SDF's default is what the child does to the parent, MuJoCo's the reverse.
+TEST(MjcfBody, AWrenchSaysWhenItsSignsAreReversed) {
+  const auto wrench = [](const std::string& inside) {
+    return MjcfConverted(
+        mjcf_link("a") +
+        mjcf_link("b", "<pose relative_to='a'>0 0 0 0 0 1.5707963267948966</pose>") +
+        "<joint name='j' type='revolute'><parent>a</parent><child>b</child><axis><xyz>0 0 "
+        "1</xyz></axis>"
+        "<sensor name='ft' type='force_torque'><pose>0 0 0 0 0 "
+        "1.5707963267948966</pose><force_torque>" +
+        inside + "</force_torque></sensor></joint>");
+  };
+  const auto said = [](const MjcfConverted& robot) {
+    return robot.notes(convert::NoteKind::kMjcfSensor).at(0).instead;
+  };
+  EXPECT_NE(said(wrench("")).find("reversed"), std::string::npos);
+  EXPECT_EQ(said(wrench("<measure_direction>parent_to_child</measure_direction>")).find("reversed"),
+            std::string::npos);
+  // The site has the child's axes, those of the sensor, a quarter turn on, or the parent's, one back.
+  EXPECT_EQ(wrench("").attribute("site", "ft", "quat"), "(none)");
+  const auto turn = [&](const char* frame) {
+    const MjcfConverted robot = wrench(std::string("<frame>") + frame + "</frame>");
+    const auto quaternion = read::mjcf_numbers(robot.attribute("site", "ft", "quat"));
+    return 2 * std::atan2(quaternion->at(3), quaternion->at(0));
+  };
+  EXPECT_NEAR(turn("sensor"), 1.5707963267948966, 1e-9);
+  EXPECT_NEAR(turn("parent"), -1.5707963267948966, 1e-9);
 }
 
 TEST(MjcfBody, DiagonalTensorIsWrittenAsItIs) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <set>
+#include <string>
 
 #include "convert/mjcf_converted.h"
 
@@ -79,6 +81,51 @@ TEST(MjcfContact, ModelsOfAWorldCollideWithEachOther) {
       EXPECT_EQ(collide(x, bits_of(world, n + std::string("y"))), std::string(m) != n) << m << n;
     }
   }
+}
+
+// Contact bits are 31: forty walls need none, as nothing of them moves against itself.
+TEST(MjcfContact, ManyModelsOfOnePartCollide) {
+  std::string models;
+  for (int i = 0; i < 40; ++i) {
+    const std::string n = std::to_string(i);
+    models += "<model name='m" + n + "'>" + mjcf_link("x", ball("x" + n)) + "</model>";
+  }
+  const MjcfConverted world("<sdf version='1.9'><world name='w'>" + models + "</world></sdf>");
+  for (const int i : {0, 28, 39}) {
+    for (const int j : {1, 30, 38}) {
+      EXPECT_TRUE(
+          collide(bits_of(world, "x" + std::to_string(i)), bits_of(world, "x" + std::to_string(j))))
+          << i << ' ' << j;
+    }
+  }
+  EXPECT_TRUE(world.all("exclude").empty());
+}
+
+// Where bits run out, models collide with each other all the same, and their own pairs are excluded.
+TEST(MjcfContact, ModelsWithoutABitOfTheirOwnHaveTheirPairsExcluded) {
+  std::string models;
+  for (int i = 0; i < 31; ++i) {
+    const std::string n = std::to_string(i);
+    models += "<model name='m" + n + "'>" + mjcf_link("x", ball("x" + n)) +
+              mjcf_link("y", ball("y" + n)) +
+              "<joint name='j' type='revolute'><parent>x</parent><child>y</child>"
+              "<axis><xyz>0 0 1</xyz></axis></joint></model>";
+  }
+  const MjcfConverted world("<sdf version='1.9'><world name='w'>" + models + "</world></sdf>");
+  std::set<std::string> excluded;
+  for (const xml::Element pair : world.all("exclude")) {
+    const std::string a(pair.attribute("body1")->value()), b(pair.attribute("body2")->value());
+    EXPECT_EQ(a.substr(0, a.find(':')), b.substr(0, b.find(':')));
+    excluded.insert(a.substr(0, a.find(':')));
+  }
+  for (int i = 0; i < 31; ++i) {
+    const std::string n = std::to_string(i);
+    const bool own = collide(bits_of(world, "x" + n), bits_of(world, "y" + n));
+    EXPECT_EQ(own, excluded.contains("m" + n)) << i;
+    const std::string other = std::to_string((i + 1) % 31);
+    EXPECT_TRUE(collide(bits_of(world, "x" + n), bits_of(world, "y" + other))) << i;
+  }
+  EXPECT_FALSE(excluded.empty());
 }
 
 TEST(MjcfContact, VisualsTouchNothing) {

@@ -391,6 +391,14 @@ TEST(UrdfToSdf, MimicTakesTheFirstVersionThatHasIt) {
   EXPECT_EQ(note_kinds_of(old), std::vector{NoteKind::kMimicLost});
 }
 
+TEST(UrdfToSdf, NothingFollowsWhatIsFixed) {
+  const SdfConversion result = to_sdf(
+      robot_xml(link_xml("a") + link_xml("b") + link_xml("c") + joint_xml("fixed", "a", "b", "") +
+                joint_xml("revolute", "a", "c", std::string(kLimitXml) + "<mimic joint='a_b'/>")));
+  ASSERT_EQ(note_kinds_of(result), std::vector{NoteKind::kMimicLost});
+  EXPECT_EQ(result.account.notes[0].instead, "it is fixed, and has no axis");
+}
+
 TEST(UrdfToSdf, ACircleOfFollowersIsCutAtTheLast) {
   const auto follower = [](const std::string& child, const std::string& leader) {
     return joint_xml("revolute", "a", child,

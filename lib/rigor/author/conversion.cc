@@ -23,6 +23,7 @@
 #include <rigor/model/subject.h>
 #include <rigor/robot/compare.h>
 #include <rigor/robot/lookups.h>
+#include <rigor/robot/lumping.h>
 #include <rigor/robot/robot.h>
 #include <rigor/rules/compat.h>
 #include <rigor/rules/mesh_finder.h>
@@ -89,6 +90,21 @@ Note note_of(const Difference& difference) {
                                  value_text(difference.to, difference.unit))};
 }
 
+/// Links and joints of SDF that stand in `<gazebo>` blocks are parts of the result, and none of the robot that URDF
+/// describes.
+void remove_blocks_parts(const model::Root& root, robot::Robot& after) {
+  robot::PartNames links, joints;
+  for (const model::GazeboBlock& block : root.gazebo_blocks) {
+    for (const model::Parameter& part : block.content) {
+      const auto* name = attribute(part, "name");
+      if (name == nullptr) continue;
+      if (part.name == "link") links.insert(name->value);
+      if (part.name == "joint") joints.insert(name->value);
+    }
+  }
+  if (!links.empty() || !joints.empty()) robot::remove(after, links, joints);
+}
+
 /// What is done to the robot of a result before it is compared.
 using Settle = std::function<void(robot::Robot&)>;
 
@@ -107,7 +123,8 @@ class Prover {
   /// What is not the same though no note has told so.
   Notes prove(const read::Loaded& source, model::Id<model::Model> model) {
     const model::Frames frames(source.root);
-    return prove(source, robot::robot_of(source.root, frames, model, lookups(source.root)), {});
+    return prove(source, robot::robot_of(source.root, frames, model, lookups(source.root)),
+                 [&source](robot::Robot& after) { remove_blocks_parts(source.root, after); });
   }
 
   /// `before` is what the result should be; `settle` takes from the result what was added by choice.

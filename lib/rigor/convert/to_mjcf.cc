@@ -42,7 +42,8 @@ class MjcfBuilder {
                ledger,
                assembly,
                MjcfEntities(source.source.root),
-               fixed_to_world(assembly.robot, assembly.world)} {
+               fixed_to_world(assembly.robot, assembly.world),
+               MjcfModelBits(assembly)} {
     draft_.next_to_nothing = mjcf_massless_link(assembly.robot);
     draft_.joint_names = mjcf_joint_names(draft_);
   }
@@ -197,7 +198,7 @@ class MjcfBuilder {
   }
 
   /// Pairs of bodies that do not touch; of links that were lumped, what holds them.
-  MjcfElement excluded() const {
+  MjcfElement excluded() {
     const auto& held_by = draft_.assembly.held_by;
     const auto body_of = [&](const std::string& link) {
       const auto held = held_by.find(link);
@@ -213,6 +214,9 @@ class MjcfBuilder {
       if (a.empty() || b.empty() || a == b) continue;
       if (b < a) std::swap(a, b);
       pairs.emplace(std::move(a), std::move(b));
+    }
+    for (const auto& [a, b] : bodies_to_exclude(draft_)) {
+      pairs.emplace(draft_.robot().bodies[a].name, draft_.robot().bodies[b].name);
     }
     MjcfElement contact{"contact"};
     for (const auto& [a, b] : pairs) contact.add({"exclude", {{"body1", a}, {"body2", b}}});

@@ -144,6 +144,7 @@ struct Noise {
 
 struct Camera {
   Site site;
+  PoseField pose;           ///< in the sensor's frame
   Field<double> near_clip;  ///< m
   Field<double> far_clip;   ///< m
   Field<double> width;      ///< pixels
@@ -169,6 +170,13 @@ struct Lidar {
   std::vector<Noise> noises;
 };
 
+/// `<force_torque>`.
+struct Wrench {
+  Field<std::string> frame;  ///< that it is told in: child, parent or sensor
+  Field<std::string>
+      direction;  ///< child_to_parent: what the child does to the parent; or the reverse
+};
+
 struct Sensor {
   Site site;
   Field<std::string> name;
@@ -180,6 +188,7 @@ struct Sensor {
   Field<std::string> topic;
   std::vector<Camera> cameras;
   std::optional<Lidar> lidar;
+  Wrench wrench;                                  ///< of a force_torque sensor
   std::vector<Noise> angular_velocity_noises;     ///< of an IMU, of all axes; rad/s
   std::vector<Noise> linear_acceleration_noises;  ///< m/s²
   std::vector<Field<std::string>> contact_collisions;

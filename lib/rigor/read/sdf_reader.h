@@ -105,6 +105,9 @@ class SdfReader {
 /// The URI of an `<include>`, as any version writes it.
 model::Field<std::string> include_uri(xml::Element include);
 
+/// `<pose>` of what stands in a `<gazebo>` block, or in a camera: six numbers, relative to what it stands in.
+model::PoseField read_plain_pose(xml::Element parent);
+
 /// What a `<sensor>` says of itself: its place, pose and plugins are left to the caller (sdf_sensor.cc).
 void read_measurement(xml::Element element, model::Sensor& sensor);
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <utility>
+#include <variant>
 
 #include <rigor/read/sdf_reader.h>
+#include <rigor/schema/value.h>
 
 namespace rigor::read {
 namespace {
@@ -23,6 +25,7 @@ std::vector<model::Noise> noises_in(xml::Element measured) {
 model::Camera read_camera(xml::Element element) {
   model::Camera camera;
   camera.site = site_of(element);
+  camera.pose = read_plain_pose(element);
   camera.horizontal_fov = number_field(child_text(element, "horizontal_fov"), 1.047);
   const auto clip = element.child("clip");
   camera.near_clip = number_field(clip ? child_text(*clip, "near") : std::nullopt, 0.1);
@@ -80,6 +83,20 @@ bool names_frame(std::string_view element) {
 
 }  // namespace
 
+model::PoseField read_plain_pose(xml::Element parent) {
+  model::PoseField field;
+  const auto element = parent.child("pose");
+  if (!element) return field;
+  field.site = site_of(*element);
+  const auto parsed = schema::parse_pose(element->text(), schema::RotationFormat::kEulerRpy);
+  if (const auto* pose = std::get_if<schema::PoseNumbers>(&parsed)) {
+    const auto& n = pose->numbers;
+    field.pose = {
+        {{n[0], n[1], n[2]}, model::from_rpy(n[3], n[4], n[5])}, element->text_span(), true};
+  }
+  return field;
+}
+
 void read_measurement(xml::Element element, model::Sensor& sensor) {
   sensor.site = site_of(element);
   sensor.name = string_field(attribute_text(element, "name"));
@@ -93,6 +110,10 @@ void read_measurement(xml::Element element, model::Sensor& sensor) {
       sensor.frames.push_back(string_field(Text{child.text(), child.text_span()}));
     }
     if (name == "imu") read_imu(child, sensor);
+    if (name == "force_torque") {
+      sensor.wrench = {string_field(child_text(child, "frame")),
+                       string_field(child_text(child, "measure_direction"))};
+    }
     if (name == "camera") sensor.cameras.push_back(read_camera(child));
     if (name == "ray" || name == "lidar") sensor.lidar = read_lidar(child);
     if (name != "contact") continue;

@@ -113,21 +113,6 @@ model::Axis read_axis(xml::Element joint) {
   return axis;
 }
 
-/// `<pose>` of what stands in a `<gazebo>` block: as in SDF, in the link's frame.
-model::PoseField read_block_pose(xml::Element parent) {
-  model::PoseField field;
-  const auto element = parent.child("pose");
-  if (!element) return field;
-  field.site = site_of(*element);
-  const auto parsed = schema::parse_pose(element->text(), schema::RotationFormat::kEulerRpy);
-  if (const auto* pose = std::get_if<schema::PoseNumbers>(&parsed)) {
-    const auto& n = pose->numbers;
-    field.pose = {
-        {{n[0], n[1], n[2]}, model::from_rpy(n[3], n[4], n[5])}, element->text_span(), true};
-  }
-  return field;
-}
-
 class UrdfReader {
  public:
   UrdfReader(model::Root& root, Id<model::Model> model) : root_(root), model_(model) {}
@@ -262,7 +247,7 @@ class UrdfReader {
     read_measurement(element, sensor);
     sensor.link = link;
     sensor.gazebo_reference = reference;
-    sensor.pose = read_block_pose(element);
+    sensor.pose = read_plain_pose(element);
     for (const xml::Element child : element.children()) {
       if (child.name() == "plugin") read_plugin(child, {.sensor = id}, reference);
     }

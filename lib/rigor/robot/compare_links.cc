@@ -124,6 +124,9 @@ class LinkComparer {
       d.unit = "m";
       c_.explained[i] = true;
     }
+    // MuJoCo takes none below 1e-15 kg·m².
+    constexpr double kNoMoment = 1e-14;
+    if (std::max(mass::trace(x.about_com), mass::trace(y.about_com)) <= kNoMoment) return;
     if (near(x.about_com, y.about_com, c_.tolerance) ||
         near(sum_x.about_com, sum_y.about_com, c_.tolerance) || same_tensor_at_rest(i, j)) {
       return;

@@ -15,6 +15,7 @@ namespace {
 
 /// What sums are made of, without signs: what rounding grows with.
 struct SumScale {
+  double mass = 0;    ///< kg
   double first = 0;   ///< kg·m
   double second = 0;  ///< kg·m²
 };
@@ -27,6 +28,7 @@ SumScale scale_of(const Robot& robot, const std::vector<model::Pose>& X_RB,
     const mass::MassProperties& body = robot.bodies[i].mass;
     if (!(std::abs(body.mass) <= most)) continue;
     const double reach = length(X_RB[i].translation) + length(body.com);
+    scale.mass += std::abs(body.mass);
     scale.first += std::abs(body.mass) * reach;
     scale.second += std::abs(body.mass) * reach * reach + std::abs(mass::trace(body.about_com));
   }
@@ -148,10 +150,11 @@ class WholeComparer {
       const SumScale all = scale_of(c_.a, c_.poses.all_a(k));
       const SumScale nothing = scale_of(c_.b_as_read, c_.poses.all_b(k), kNothing);
       const double relative = c_.tolerance.relative;
+      const double off = c_.tolerance.distance;  // that every center of mass may be
       keep_worst(first, k, {x.first.x, x.first.y, x.first.z}, {y.first.x, y.first.y, y.first.z},
-                 relative * all.first + nothing.first);
+                 relative * all.first + off * all.mass + nothing.first);
       keep_worst(second, k, tensor_numbers(x.second), tensor_numbers(y.second),
-                 relative * all.second + nothing.second);
+                 relative * all.second + off * all.first + nothing.second);
     }
     tell(DifferenceKind::kTotalFirst, first, "kg·m");
     tell(DifferenceKind::kTotalSecond, second, "kg·m²");

@@ -4,6 +4,7 @@
 #include <rigor/robot/lumping.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -180,6 +181,32 @@ Robot in_world(Robot robot) {
   }
   connect(robot);
   return robot;
+}
+
+void remove(Robot& robot, const PartNames& bodies, const PartNames& joints) {
+  std::vector<std::uint32_t> moved(robot.bodies.size(), kNoIndex);
+  std::vector<Body> left;
+  for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
+    if (bodies.contains(robot.bodies[i].name)) continue;
+    moved[i] = static_cast<std::uint32_t>(left.size());
+    left.push_back(std::move(robot.bodies[i]));
+  }
+  robot.bodies = std::move(left);
+  std::erase_if(robot.joints, [&](const Joint& joint) {
+    return joints.contains(joint.name) || moved[joint.parent] == kNoIndex ||
+           moved[joint.child] == kNoIndex;
+  });
+  for (Joint& joint : robot.joints) {
+    joint.parent = moved[joint.parent];
+    joint.child = moved[joint.child];
+  }
+  std::erase_if(robot.frames, [&](const Frame& frame) {
+    return frame.body != kNoIndex && moved[frame.body] == kNoIndex;
+  });
+  for (Frame& frame : robot.frames) {
+    if (frame.body != kNoIndex) frame.body = moved[frame.body];
+  }
+  connect(robot);
 }
 
 }  // namespace rigor::robot

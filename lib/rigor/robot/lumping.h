@@ -5,7 +5,9 @@
 
 #pragma once
 
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 #include <rigor/robot/robot.h>
@@ -19,5 +21,10 @@ Robot with_embedded(const Robot& robot, const std::map<std::string, std::string>
 /// Seen from the world and not from its model: what hangs on the world stands where the model's pose puts
 /// it, and every root is fixed there, by a joint without a name.
 Robot in_world(Robot robot);
+
+using PartNames = std::set<std::string, std::less<>>;
+
+/// Takes away the bodies and the joints of these names, and joints that have lost an end.
+void remove(Robot& robot, const PartNames& bodies, const PartNames& joints);
 
 }  // namespace rigor::robot

@@ -5,13 +5,16 @@
 // line here names is lost.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <rigor/convert/from_mjcf/plan.h>
+#include <rigor/convert/number_text.h>
 #include <rigor/model/subject.h>
+#include <rigor/read/mjcf/mjcf_settings.h>
 #include <rigor/read/values.h>
 #include <rigor/text/path.h>
 
@@ -93,6 +96,14 @@ class MjcfAccountant {
     for (const MjcfLoop& loop : plan_.loops) take_loop(loop);
     take_couplings();
     take_drives();
+    for (std::size_t i = 0; i < plan_.joint_ids.size(); ++i) {
+      const robot::Joint& joint = plan_.robot.joints[i];
+      if (joint.type == model::JointType::kBall && plan_.chosen[joint.child])
+        lose_of_ball(root_[plan_.joint_ids[i]]);
+    }
+    for (std::size_t i = 0; i < plan_.free_joint.size(); ++i) {
+      if (plan_.free_joint[i] && plan_.chosen[i]) lose_of_free(root_[*plan_.free_joint[i]]);
+    }
   }
 
  private:
@@ -220,6 +231,7 @@ class MjcfAccountant {
   void take(xml::Element element, const Words& words, Outcome outcome = Outcome::kConverted) {
     ledger_.take(element, outcome);
     const bool sdf = plan_.target == MjcfTarget::kSdf;
+    if (sdf && words.element == "geom") tell_friction(element);
     for (const xml::Attribute attribute : element.attributes()) {
       const std::string_view name = attribute.name();
       const bool known =
@@ -232,6 +244,23 @@ class MjcfAccountant {
     }
   }
 
+  /// The first number of three is in the result: sliding; torsional and rolling friction, m, are not, where they are
+  /// others than MuJoCo's own.
+  void tell_friction(xml::Element geom) {
+    constexpr std::array<double, 2> kOwn{0.005, 0.0001};
+    const auto text = read::attribute_text(geom, "friction");
+    const auto numbers = text ? read::mjcf_numbers(text->text) : std::nullopt;
+    if (!numbers || numbers->size() < 2 || numbers->size() > 3 ||
+        std::equal(numbers->begin() + 1, numbers->end(), kOwn.begin(),
+                   kOwn.begin() + std::ssize(*numbers) - 1))
+      return;
+    ledger_.note(
+        {.kind = NoteKind::kFromMjcfContact,
+         .where = text->span,
+         .subject = std::string(geom.name()) + " " + mjcf_word(geom, "name"),
+         .written = "torsional and rolling friction, of " + std::string(text->text) + ","});
+  }
+
   void take_loop(const MjcfLoop& loop) {
     const bool urdf = plan_.target == MjcfTarget::kUrdf;
     for (const xml::Element element : loop.elements) {
@@ -242,6 +271,43 @@ class MjcfAccountant {
       ledger_.lose(read::site_of(element), {.kind = NoteKind::kFromMjcfLoop,
                                             .subject = "equality " + loop.name,
                                             .written = std::string(element.name())});
+    }
+  }
+
+  void lose_of(const model::Joint& joint, const char* type, Span where, std::string words) {
+    ledger_.take_value(where, Outcome::kLost);
+    ledger_.note({.kind = NoteKind::kFromMjcfLimit,
+                  .outcome = Outcome::kLost,
+                  .where = where,
+                  .subject = model::subject(root_, joint),
+                  .written = std::move(words),
+                  .instead = type});
+  }
+
+  /// The three joints that a ball becomes in URDF have its damping each.
+  void lose_of_ball(const model::Joint& joint) {
+    if (joint.axes.empty()) return;
+    const model::Axis& axis = joint.axes[0];
+    const auto lose = [&](const model::Field<double>& field, const char* what) {
+      lose_of(joint, "ball", field.span, what + (' ' + to_text({field.value, {}})));
+    };
+    if (axis.limit_written) lose(axis.upper, "range");
+    if (axis.damping.value != 0 && plan_.target == MjcfTarget::kSdf) lose(axis.damping, "damping");
+    if (axis.friction.value != 0) lose(axis.friction, "frictionloss");
+    if (axis.spring_stiffness.value != 0) lose(axis.spring_stiffness, "stiffness");
+    const xml::Element element = plan_.source.source.documents.element(joint.site);
+    const auto tuned = read::attribute_text(element, "springdamper");
+    if (axis.spring_damper && tuned)
+      lose_of(joint, "ball", tuned->span, "springdamper " + std::string(tuned->text));
+  }
+
+  /// Of its own, as the model has no axis of it.
+  void lose_of_free(const model::Joint& joint) {
+    const xml::Element element = plan_.source.source.documents.element(joint.site);
+    for (const char* what : {"damping", "frictionloss", "stiffness"}) {
+      const auto field = read::number_field(read::attribute_text(element, what), 0);
+      if (field.value == 0) continue;
+      lose_of(joint, "free", field.span, what + (' ' + to_text({field.value, {}})));
     }
   }
 
@@ -277,8 +343,25 @@ class MjcfAccountant {
       for (std::size_t i = 0; i < plan_.robot.joints.size(); ++i) {
         const robot::Joint& driven = plan_.robot.joints[i];
         if (driven.name != joint->text || driven.axes.size() != 1) continue;
-        if (std::isfinite(driven.axes[0].effort)) take(element, kDrive, Outcome::kSubstituted);
+        if (!std::isfinite(driven.axes[0].effort)) continue;
+        take(element, kDrive, Outcome::kSubstituted);
+        tell_one_sided(element);
       }
+    }
+  }
+
+  /// An effort limit is the same to both sides.
+  void tell_one_sided(xml::Element drive) {
+    for (const char* name : {"ctrlrange", "forcerange"}) {
+      const auto text = read::attribute_text(drive, name);
+      const auto range = text ? read::mjcf_numbers(text->text) : std::nullopt;
+      if (!range || range->size() != 2 || (*range)[0] == -(*range)[1]) continue;
+      ledger_.note(
+          {.kind = NoteKind::kFromMjcfActuator,
+           .outcome = Outcome::kSubstituted,
+           .where = text->span,
+           .subject = std::string(drive.name()) + " " + mjcf_word(drive, "name"),
+           .written = std::string("the smaller side of ") + name + " " + std::string(text->text)});
     }
   }
 

@@ -8,8 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/model/subject.h>
+#include <rigor/read/mjcf/mjcf_checks.h>
 #include <rigor/read/values.h>
 
 namespace rigor::convert {
@@ -57,6 +60,7 @@ MjcfPlan::MjcfPlan(const FromMjcfSource& from, const FromMjcfOptions& how, MjcfT
     refusals.push_back({.kind = NoteKind::kNoModel, .where = all.site.name});
     return;
   }
+  refuse_missing_files();
   robot = robot::robot_of(all, source.source.frames, {0}, source.lookups);
   for (const std::string& unknown : robot.unknown) {
     refusals.push_back({.kind = NoteKind::kUnresolved,
@@ -83,6 +87,19 @@ MjcfPlan::MjcfPlan(const FromMjcfSource& from, const FromMjcfOptions& how, MjcfT
   settle_balls();
   name_all();
   name_parts();
+}
+
+void MjcfPlan::refuse_missing_files() {
+  read::MjcfFacts found = facts;
+  read::check_mjcf_assets(scope, source.workspace.disk(), found);
+  for (const read::MjcfFact& fact : found) {
+    const bool model = fact.kind == read::MjcfFactKind::kAssetMissing && fact.detail == "model";
+    if (!model && fact.kind != read::MjcfFactKind::kIncludeMissing) continue;
+    refusals.push_back(
+        {.kind = NoteKind::kUnresolved,
+         .where = fact.where,
+         .written = fmt::format("{} {} does not exist", model ? "model" : "include", fact.name)});
+  }
 }
 
 void MjcfPlan::choose() {
@@ -258,10 +275,11 @@ void MjcfPlan::name_all() {
 
 /// The three joints that a ball becomes in URDF have its damping each; a ball of SDF has none.
 void MjcfPlan::settle_balls() {
-  for (std::size_t i = 0; i < robot.joints.size() && target == MjcfTarget::kUrdf; ++i) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const model::Joint& written = root()[joint_ids[i]];
     if (robot.joints[i].type != JointType::kBall || written.axes.empty()) continue;
-    for (robot::Axis& axis : robot.joints[i].axes) axis.damping = written.axes[0].damping.value;
+    const double damping = target == MjcfTarget::kUrdf ? written.axes[0].damping.value : 0;
+    for (robot::Axis& axis : robot.joints[i].axes) axis.damping = damping;
   }
 }
 

@@ -76,6 +76,8 @@ struct MjcfPlan {
   std::vector<xml::Element> locks;  ///< equalities that hold a joint in place
 
  private:
+  /// Files that hold bodies and do not exist.
+  void refuse_missing_files();
   void choose();
   void settle_balls();
   void name_all();

@@ -226,7 +226,6 @@ class MjcfToSdf {
     result_.joints.emplace(joint.name, std::vector{result.name});
     if (joint.type == JointType::kBall) {
       result.type = "ball";
-      tell_ball(written);
     } else if (joint.axes.empty() || length(joint.axes[0].direction) == 0) {
       result.type = "fixed";
     } else {
@@ -238,19 +237,6 @@ class MjcfToSdf {
       result.raw = own->second;
     }
     draft_.robot.parts.emplace_back(std::move(result));
-  }
-
-  void tell_ball(const model::Joint& joint) {
-    if (joint.axes.empty()) return;
-    const model::Axis& axis = joint.axes[0];
-    const auto lose = [&](const model::Field<double>& field, const char* what) {
-      ledger_.take(field, Outcome::kLost);
-      note(NoteKind::kFromMjcfLimit, Outcome::kLost, field.span, model::subject(root_, joint),
-           std::string(what) + ' ' + to_text({field.value, {}}));
-    };
-    if (axis.limit_written) lose(axis.upper, "range");
-    if (axis.damping.value != 0) lose(axis.damping, "damping");
-    if (axis.friction.value != 0) lose(axis.friction, "frictionloss");
   }
 
   SdfAxis axis_of(const robot::Axis& axis) const {

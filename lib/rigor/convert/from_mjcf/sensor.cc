@@ -113,7 +113,7 @@ class MjcfSensorReader {
         sensor(site, "force_torque", compose(inverse(X_LJ), placed->X_LS), [](XmlWriter& out) {
           out.open("force_torque");
           out.text("frame", "sensor");
-          out.text("measure_direction", "child_to_parent");
+          out.text("measure_direction", "parent_to_child");
           out.close();
         }));
   }

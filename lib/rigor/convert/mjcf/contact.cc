@@ -3,12 +3,15 @@
 
 #include <rigor/convert/mjcf/contact.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <fmt/core.h>
 
+#include <rigor/convert/mjcf/draft.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
 #include <rigor/write/numbers.h>
@@ -18,8 +21,7 @@ namespace {
 
 constexpr std::uint32_t kOwnKindBit = 1U << 30U;
 constexpr std::uint32_t kAllModelBits = kOwnKindBit - 1;
-/// Further models share the last bit.
-constexpr std::uint32_t kMaxModelBit = 29;
+constexpr std::uint32_t kSharedBit = 1U << 1U;
 
 /// MuJoCo's own torsional and rolling coefficients, m.
 constexpr double kTorsional = 0.005;
@@ -89,12 +91,9 @@ MjcfContactBits bits_of(MjcfDraft& draft, std::uint32_t body, const model::Colli
   const std::uint32_t model = draft.assembly.model_of[body];
   if (model == robot::kNoIndex) return {};
   MjcfContactBits bits = kMjcfOneModel;
-  const auto& of = draft.assembly.model_of;
-  const bool alone =
-      std::all_of(of.begin(), of.end(), [](auto m) { return m == 0 || m == robot::kNoIndex; });
-  if (!alone) {
-    bits.type = 1U << std::min(model + 1, kMaxModelBit);
-    bits.affinity = kAllModelBits & ~bits.type;
+  if (!draft.model_bits.only_one()) {
+    bits.type = draft.model_bits.of(model);
+    bits.affinity = bits.type == kSharedBit ? kAllModelBits : kAllModelBits & ~bits.type;
   }
   if (collides_with_itself(draft, draft.root()[collision.link])) {
     bits.type |= kOwnKindBit;
@@ -133,6 +132,55 @@ void set_friction(MjcfDraft& draft, const model::Collision& collision, MjcfEleme
 }
 
 }  // namespace
+
+MjcfModelBits::MjcfModelBits(const MjcfAssembly& assembly) {
+  const robot::Robot& robot = assembly.robot;
+  // MuJoCo lets bodies that are welded to each other, or to the world, pass through each other.
+  std::vector<std::uint32_t> weld(robot.bodies.size());
+  std::vector<std::set<std::uint32_t>> parts;  // of each model, that touch something
+  for (const std::uint32_t i : robot.order) {
+    weld[i] = i;
+    const std::uint32_t carrier = robot.bodies[i].carrier;
+    if (carrier != robot::kNoIndex && robot.joints[carrier].type == model::JointType::kFixed)
+      weld[i] = weld[robot.joints[carrier].parent];
+    const std::uint32_t model = assembly.model_of[i];
+    if (model == robot::kNoIndex) continue;
+    if (parts.size() <= model) parts.resize(model + 1);
+    if (!robot.bodies[i].collisions.empty()) parts[model].insert(weld[i]);
+  }
+  std::uint32_t next = kSharedBit;
+  for (const auto& moving : parts) {
+    const bool needs_bit = moving.size() > 1;
+    const bool has_bit = needs_bit && (next << 1U) < kOwnKindBit;
+    if (has_bit) next <<= 1U;
+    models_.push_back({has_bit ? next : kSharedBit, needs_bit && !has_bit});
+  }
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> bodies_to_exclude(MjcfDraft& draft) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  if (draft.model_bits.only_one()) return pairs;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_model;
+  for (std::uint32_t i = 0; i < draft.robot().bodies.size(); ++i) {
+    const std::uint32_t model = draft.assembly.model_of[i];
+    const bool touches = !draft.robot().bodies[i].collisions.empty();
+    if (model != robot::kNoIndex && touches && draft.model_bits.is_excluded(model))
+      by_model[model].push_back(i);
+  }
+  const auto touches_own = [&draft](std::uint32_t body) {
+    const model::Link* link = draft.entities.link(draft.robot().bodies[body].span);
+    return link != nullptr && collides_with_itself(draft, *link);
+  };
+  for (const auto& [model, bodies] : by_model) {
+    for (std::size_t a = 0; a < bodies.size(); ++a) {
+      for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+        if (!touches_own(bodies[a]) || !touches_own(bodies[b]))
+          pairs.emplace_back(bodies[a], bodies[b]);
+      }
+    }
+  }
+  return pairs;
+}
 
 void set_contact(MjcfDraft& draft, std::uint32_t body, const model::Collision& collision,
                  MjcfElement& geom) {

@@ -18,6 +18,7 @@
 
 #include <rigor/convert/ledger.h>
 #include <rigor/convert/mjcf/assembly.h>
+#include <rigor/convert/mjcf/contact.h>
 #include <rigor/convert/mjcf/element.h>
 #include <rigor/convert/to_mjcf.h>
 #include <rigor/mesh/read.h>
@@ -67,6 +68,7 @@ struct MjcfDraft {
   const MjcfAssembly& assembly;
   MjcfEntities entities;
   std::vector<bool> fixed;  ///< bodies that never move
+  MjcfModelBits model_bits;
 
   MjcfElement asset{"asset"}, equality{"equality"}, actuator{"actuator"}, sensor{"sensor"};
   std::vector<SideFile> files;

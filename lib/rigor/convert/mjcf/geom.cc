@@ -6,11 +6,14 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <rigor/convert/mjcf/contact.h>
 #include <rigor/convert/mjcf/draft.h>
 #include <rigor/convert/mjcf/look.h>
 #include <rigor/model/subject.h>
+#include <rigor/read/mjcf/mjcf_settings.h>
 #include <rigor/read/values.h>
 #include <rigor/text/path.h>
 
@@ -215,6 +218,7 @@ class MjcfGeomMaker {
     for (const std::string_view part : {"color", "ambient", "diffuse"}) {
       if (const auto child = element.child(part)) ledger.take_all(*child);
     }
+    tell_blend(visual, element);
     if (!look_ || look_->picture.empty()) return;
     if (const auto texture = element.child("texture")) take_picture(*texture);
     for (const model::RobotMaterial& named : draft_.root().materials) {
@@ -231,6 +235,24 @@ class MjcfGeomMaker {
       ledger.take(workflow);
       take_picture(*map);
     }
+  }
+
+  /// MuJoCo has one color where SDF has one for each kind of light.
+  void tell_blend(const model::Visual& visual, xml::Element material) {
+    const auto numbers = [&material](std::string_view name) {
+      const auto text = read::child_text(material, name);
+      return text ? read::mjcf_numbers(text->text).value_or(std::vector<double>())
+                  : std::vector<double>();
+    };
+    const std::vector<double> ambient = numbers("ambient"), diffuse = numbers("diffuse");
+    if (ambient.size() < 3 || diffuse.size() < 3) return;
+    if (std::equal(ambient.begin(), ambient.begin() + 3, diffuse.begin())) return;
+    draft_.ledger.note({.kind = NoteKind::kMjcfLook,
+                        .outcome = Outcome::kSubstituted,
+                        .where = visual.material.site.name,
+                        .subject = subject_,
+                        .written = "ambient and diffuse of different colors",
+                        .instead = "the color that both have in Gazebo's light"});
   }
 
   void take_script(const model::Visual& visual) {

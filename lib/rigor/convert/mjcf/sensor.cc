@@ -83,7 +83,7 @@ class MjcfSensorMaker {
     if (type == "imu") {
       instead = on_site(sensor, *placed, std::array{"accelerometer", "gyro", "framequat"});
     } else if (type == "force_torque") {
-      instead = on_site(sensor, *placed, std::array{"force", "torque"});
+      instead = wrench(sensor, *placed);
     } else if (type == "magnetometer") {
       instead = on_site(sensor, *placed, std::array{"magnetometer"});
     } else if (!sensor.cameras.empty()) {
@@ -97,6 +97,32 @@ class MjcfSensorMaker {
                         .subject = model::subject(draft_.root(), sensor),
                         .written = type,
                         .instead = std::move(instead)});
+  }
+
+  /// Of a body's link, at rest, in the frame of this body.
+  std::optional<model::Quaternion> rotation_of(std::uint32_t body) const {
+    const model::Link* link = draft_.entities.link(draft_.robot().bodies[body].span);
+    if (link == nullptr) return std::nullopt;
+    const auto index = static_cast<std::uint32_t>(link - draft_.root().links.data());
+    const auto X_WL = draft_.source.source.frames.pose(model::Id<model::Link>{index});
+    if (!X_WL) return std::nullopt;
+    return compose(inverse(body_.X_MB), *X_WL).rotation;
+  }
+
+  /// MuJoCo's is what the parent does to the child (documentation, "sensor/force", and its sign in a simulation), in
+  /// the frame of a site of the child.
+  std::string wrench(const model::Sensor& sensor, Pose X) {
+    const std::string& frame = sensor.wrench.frame.value;
+    if (frame != "sensor") {
+      const auto& joints = draft_.robot().joints;
+      const bool of_parent = frame == "parent" && body_.carrier != robot::kNoIndex;
+      const auto rotation = rotation_of(of_parent ? joints[body_.carrier].parent : index_);
+      if (rotation) X.rotation = *rotation;
+    }
+    std::string words = on_site(sensor, X, std::array{"force", "torque"});
+    if (frame == "parent") words += " that turns with the child";
+    if (sensor.wrench.direction.value == "parent_to_child") return words;
+    return words + ", of what the parent does to the child: all signs are reversed";
   }
 
   template <std::size_t N>
@@ -130,7 +156,7 @@ class MjcfSensorMaker {
     const double half = std::tan(given.horizontal_fov.value / 2) * height / width;
     if (!(half > 0) || !std::isfinite(half)) return {};
     MjcfElement element{"camera", {{"name", draft_.name_for("camera", sensor.name.value)}}};
-    set_placement(element, compose(X, Pose{{}, kLooksAlongX}));
+    set_placement(element, compose(compose(X, given.pose.pose.value), Pose{{}, kLooksAlongX}));
     element.set("fovy", mjcf_number(2 * std::atan(half) * 180 / std::numbers::pi));
     elements_.push_back(std::move(element));
     return "a camera";

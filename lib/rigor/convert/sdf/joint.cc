@@ -265,7 +265,9 @@ class SdfJointConverter {
   void add_mimic(SdfAxis& result, const model::Mimic& mimic) {
     const Id<Joint> leader =
         draft_.source.frames.names().find_joint(joint_.model, mimic.joint.value);
-    const std::string why_not = !leader ? "there is no such joint"
+    const bool is_fixed = leader && root_[leader].type == JointType::kFixed;
+    const std::string why_not = !leader    ? "there is no such joint"
+                                : is_fixed ? "it is fixed, and has no axis"
                                 : draft_.robot.version < kMimicVersion
                                     ? "SDF has mimic from 1.11 on"
                                     : ring();

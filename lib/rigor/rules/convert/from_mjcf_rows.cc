@@ -171,9 +171,9 @@ std::span<const Row> from_mjcf_rows() {
        .what_to_do = "Nothing: together the links weigh what the body does."},
       {.rule = {"convert-from-mjcf-limit", NoteKind::kFromMjcfLimit, Severity::kWarning,
                 Formats::kMjcf},
-       .message = "{written} of a ball joint is lost",
-       .summary = "limits, damping and drives of a ball joint are lost",
-       .why = "A ball joint of SDF has no axis, and so no limit, damping or friction.",
+       .message = "{written} of a {instead} joint is lost",
+       .summary = "limits, damping, friction and springs of a ball or free joint are lost",
+       .why = "Neither has an axis in SDF or URDF, and so no limit, damping or friction.",
        .what_to_do = "Use three hinges of one body in place of the ball where its limits matter."},
   };
   return kRows;
