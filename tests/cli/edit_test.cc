@@ -171,5 +171,77 @@ TEST(Edit, TheToolMayBeAFolder) {
       << folder.get("out.sdf");
 }
 
+constexpr const char* kTwoCarts =
+    "<sdf version='1.9'><world name='w'>\n"
+    "<model name='blue'><link name='base'/><link name='wheel'/>\n"
+    "<joint name='axle' type='fixed'><parent>base</parent><child>wheel</child></joint>\n"
+    "<model name='hand'><link name='base'/><link name='palm'/></model></model>\n"
+    "<model name='green'><link name='base'/><link name='wheel'/>\n"
+    "<joint name='axle' type='fixed'><parent>base</parent><child>wheel</child></joint></model>\n"
+    "</world></sdf>\n";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  text.replace(text.rfind(from), from.size(), to);
+  return text;
+}
+
+TEST(Edit, ANameOfSeveralModelsNeedsOne) {
+  const Folder folder;
+  folder.put("w.sdf", kTwoCarts);
+  const Ran both = folder.rigor("edit rename axle hinge w.sdf -o out.sdf");
+  EXPECT_EQ(both.exit, 1);
+  EXPECT_NE(both.err.find("w.sdf: 2 are named 'axle': joint blue::axle (line 3), joint green::axle "
+                          "(line 6): choose one with --model, or by its scoped name"),
+            std::string::npos)
+      << both.err;
+  const std::string green = replaced(kTwoCarts, "name='axle'", "name='hinge'");
+  for (const char* words : {"axle hinge w.sdf --model green", "green::axle hinge w.sdf"}) {
+    const Ran ran = folder.rigor(std::string("edit rename ") + words + " -o out.sdf");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_EQ(folder.get("out.sdf"), green) << words;
+  }
+  const Ran other = folder.rigor("edit rename axle hinge w.sdf --model red");
+  EXPECT_EQ(other.exit, 1);
+  EXPECT_NE(other.err.find("w.sdf has no model 'red'"), std::string::npos) << other.err;
+  const Ran none = folder.rigor("edit rename palm fist w.sdf --model green");
+  EXPECT_NE(none.err.find("nothing is named 'palm' in model 'green'"), std::string::npos)
+      << none.err;
+  // What a nested model calls so too is blue::hand::base.
+  const Ran nested = folder.rigor("edit rename base body w.sdf --model blue");
+  EXPECT_EQ(nested.exit, 0) << nested.err;
+  EXPECT_NE(nested.out.find("+<model name='blue'><link name='body'/>"), std::string::npos)
+      << nested.out;
+  EXPECT_EQ(folder.rigor("edit rename palm fist w.sdf").exit, 0);
+  EXPECT_EQ(folder.rigor("edit rename green red w.sdf --model green").exit, 0);
+}
+
+TEST(Edit, ALinkAndAJointOfOneName) {
+  const Folder folder;
+  const std::string arm =
+      "<robot name=\"arm\">\n<link name=\"base\"/>\n<link name=\"gripper\"/>\n"
+      "<joint name=\"gripper\" type=\"fixed\"><parent link=\"base\"/>"
+      "<child link=\"gripper\"/></joint>\n</robot>\n";
+  folder.put("arm.urdf", arm);
+  const Ran both = folder.rigor("edit rename gripper jaw arm.urdf -o out.urdf");
+  EXPECT_EQ(both.exit, 1);
+  EXPECT_NE(both.err.find("arm.urdf: 2 are named 'gripper': link gripper (line 3), joint gripper "
+                          "(line 4): choose one with --kind"),
+            std::string::npos)
+      << both.err;
+  const Ran joint = folder.rigor("edit rename gripper jaw arm.urdf --kind joint -o out.urdf");
+  EXPECT_EQ(joint.exit, 0) << joint.err;
+  EXPECT_EQ(folder.get("out.urdf"), replaced(arm, "joint name=\"gripper", "joint name=\"jaw"));
+  const Ran link = folder.rigor("edit rename gripper jaw arm.urdf --kind link -o out.urdf");
+  EXPECT_EQ(link.exit, 0) << link.err;
+  EXPECT_EQ(folder.get("out.urdf"),
+            replaced(replaced(arm, "link name=\"gripper", "link name=\"jaw"),
+                     "child link=\"gripper", "child link=\"jaw"));
+  const Ran frame = folder.rigor("edit rename gripper jaw arm.urdf --kind frame");
+  EXPECT_EQ(frame.exit, 1);
+  EXPECT_NE(frame.err.find("no frame is named 'gripper'"), std::string::npos) << frame.err;
+  EXPECT_EQ(folder.rigor("edit rename gripper jaw arm.urdf --kind bone").exit, 2);
+  EXPECT_EQ(folder.rigor("edit remove gripper arm.urdf --kind link").exit, 2);
+}
+
 }  // namespace
 }  // namespace rigor::test

@@ -17,6 +17,17 @@ constexpr std::string_view kScopeMark = "::";
 
 constexpr NameKinds kAnyKind{NameKind::kLink, NameKind::kJoint, NameKind::kFrame, NameKind::kModel};
 
+/// The models around a scope, outermost first, as entities of the file; none of a world.
+std::vector<std::uint32_t> models_around(const FileNames& names, std::uint32_t scope) {
+  std::vector<std::uint32_t> models;
+  while (true) {
+    const NameScope& here = names.scopes[scope];
+    if (here.model != kNoEntity) models.insert(models.begin(), here.model);
+    if (here.outer == scope) return models;
+    scope = here.outer;
+  }
+}
+
 }  // namespace
 
 void NameGraph::add_robot(const std::string& path) {
@@ -199,6 +210,60 @@ std::optional<EntityId> NameGraph::find(const std::string& path, std::string_vie
     if (!uses.empty()) return uses.back().target;
   }
   return std::nullopt;
+}
+
+std::vector<EntityId> NameGraph::find_each_kind(const Place& place, std::string_view name) {
+  std::vector<EntityId> found;
+  NameReference reference;
+  reference.text = name;
+  for (const NameKind kind :
+       {NameKind::kModel, NameKind::kLink, NameKind::kJoint, NameKind::kFrame}) {
+    reference.kinds = {kind};
+    const auto uses = parts_in(place, reference);
+    if (!uses.empty()) found.push_back(uses.back().target);
+  }
+  return found;
+}
+
+std::vector<EntityId> NameGraph::find_all(const std::string& path, std::string_view name,
+                                          std::string_view model) {
+  const FileNames& names = this->names(path);
+  const std::string normal = normalize_path(path);
+  std::vector<EntityId> found;
+  std::map<std::uint32_t, std::size_t>
+      depths;  // of what is found, by the outermost model around it
+  for (std::uint32_t scope = 0; scope < names.scopes.size(); ++scope) {
+    for (EntityId& id : find_each_kind({normal, scope}, name)) {
+      const bool is_own = id.path == normal;
+      const auto around = models_around(names, is_own ? names.entities[id.index].scope : scope);
+      const std::uint32_t outermost = !around.empty() ? around.front()
+                                      : is_own        ? id.index
+                                                      : kNoEntity;
+      const bool is_asked =
+          model.empty() || (outermost != kNoEntity && names.entities[outermost].name == model);
+      if (!is_asked || std::find(found.begin(), found.end(), id) != found.end()) continue;
+      if (around.empty() ||
+          depths.try_emplace(outermost, around.size()).first->second >= around.size())
+        found.push_back(std::move(id));
+    }
+    // A model of another file, by what this one calls it.
+    if (model.empty() || names.scopes[scope].model != kNoEntity) continue;
+    const auto included = find_here({normal, scope}, model, {NameKind::kModel});
+    const auto place = included ? inside(*included) : std::nullopt;
+    if (!place || place->path == normal) continue;
+    for (EntityId& id : find_each_kind(*place, name)) found.push_back(std::move(id));
+  }
+  return found;
+}
+
+std::string NameGraph::scoped_name(const EntityId& id) {
+  const FileNames& names = this->names(id.path);
+  std::string scoped;
+  if (names.shared_kinds) {
+    for (const std::uint32_t model : models_around(names, names.entities[id.index].scope))
+      scoped += names.entities[model].name + std::string(kScopeMark);
+  }
+  return scoped + names.entities[id.index].name;
 }
 
 std::vector<std::string> NameGraph::visible(const std::string& path, std::uint32_t offset,

@@ -63,6 +63,15 @@ class NameGraph {
   /// The definition of that name, as a reference at the file's first model would find it: "hand::palm".
   std::optional<EntityId> find(const std::string& path, std::string_view name);
 
+  /// All definitions that the name can mean in the file: of a URDF's link and joint of one name both, of a world's
+  /// models each one's. Names in a nested model count where the model around it has none such. With `model`, those of
+  /// that one of the file's models.
+  std::vector<EntityId> find_all(const std::string& path, std::string_view name,
+                                 std::string_view model = {});
+
+  /// "arm::hand::palm", from the file or the world that it is in.
+  std::string scoped_name(const EntityId& id);
+
   /// Names of those kinds that a reference at a byte offset of the file can have: of the innermost model or world
   /// around it, and, behind `::`, of models in that.
   std::vector<std::string> visible(const std::string& path, std::uint32_t offset, NameKinds kinds);
@@ -76,6 +85,8 @@ class NameGraph {
     std::uint32_t scope = 0;
   };
   std::optional<EntityId> find_here(const Place& place, std::string_view name, NameKinds kinds);
+  /// Of each kind one.
+  std::vector<EntityId> find_each_kind(const Place& place, std::string_view name);
   /// Where the parts of a model are defined; nothing where its file is not there.
   std::optional<Place> inside(const EntityId& model);
   std::optional<std::string> included(const std::string& path, const NamedEntity& include);

@@ -33,6 +33,7 @@
 #include "command/command.h"
 #include "command/edit/edit_version.h"
 #include "command/edit/edit_workspace.h"
+#include "command/edit/rename_target.h"
 #include "model/model_file.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
@@ -173,6 +174,8 @@ class EditCommand final : public Command {
          "E");
     text("--from", options_.from,
          "Of simplify-collisions: visual gives links without a collision one", "PART");
+    text("--kind", options_.kind,
+         "Of rename: link, joint, frame or model, where several have the name", "KIND");
     flag("--allow-loss", options_.allow_loss,
          "Of downgrade: also what the older version has no word for");
     text("--lower", options_.lower, "Of a revolute joint: the lower limit, rad", "RAD");
@@ -366,9 +369,7 @@ class EditCommand final : public Command {
 
   int rename() {
     if (words_.size() < 3) throw UsageError("edit rename takes OLD NEW FILE...");
-    for (const auto& [name, option] : given_) {
-      if (option->count() > 0) throw UsageError("edit rename has no option " + name);
-    }
+    refuse_other_options({kRename, "", "--kind", nullptr});
     search_.config().open();
     const std::vector<std::string> named(words_.begin() + 2, words_.end());
     const std::vector<std::string> files = models_of(named);
@@ -384,10 +385,10 @@ class EditCommand final : public Command {
         throw UsageError(file + ": " + workspace.open(file).problem);
       graph.add_robot(file);
     }
-    const auto target = graph.find(files.front(), words_[0]);
-    if (!target) throw InputError(files.front() + ": nothing is named '" + words_[0] + '\'');
+    const author::EntityId target =
+        found_in(graph, sources, files.front(), {words_[0], model_, options_.kind});
     const author::Renaming renaming =
-        author::renamed({graph, environment.resolver, sources}, *target, words_[1],
+        author::renamed({graph, environment.resolver, sources}, target, words_[1],
                         {files, around.files_with({words_[0]}, files, disk)});
     if (!renaming.refused.empty())
       throw InputError('\'' + words_[0] + "' is not renamed: " + renaming.refused);

@@ -31,6 +31,7 @@ struct EditOptions {
   std::string lower, upper, effort, velocity;
   std::string take, mass, name;  ///< of split; name of merge, too
   std::string max_error, from;   ///< of simplify-collisions
+  std::string kind;              ///< of rename
   bool subtree = false;
   bool include = false;     ///< of attach and merge
   bool allow_loss = false;  ///< of downgrade
