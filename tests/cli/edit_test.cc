@@ -171,6 +171,43 @@ TEST(Edit, TheToolMayBeAFolder) {
       << folder.get("out.sdf");
 }
 
+TEST(Edit, SeveralFilesChangeAllOrNone) {
+  const Folder folder;
+  put_repository(folder);
+  const std::string matrix = folder.get("config/car.srdf");
+  folder.put("shared/car.srdf", matrix);
+  ASSERT_EQ(folder.run("ln -sf ../shared/car.srdf config/car.srdf").exit, 0);
+  for (const char* edit : {"rename axle drive_axle", "prefix my_"}) {
+    const Ran ran = folder.rigor(std::string("edit ") + edit + " urdf/car.urdf --write");
+    EXPECT_EQ(ran.exit, 2) << ran.err;
+    EXPECT_NE(ran.err.find("config/car.srdf: is a link, and is not written"), std::string::npos)
+        << ran.err;
+    EXPECT_EQ(folder.get("urdf/car.urdf"), kCarUrdf) << edit;
+    EXPECT_EQ(folder.get("config/car.yaml"), "controller:\n  joints: [axle]\n") << edit;
+    EXPECT_EQ(folder.get("shared/car.srdf"), matrix) << edit;
+  }
+  EXPECT_EQ(folder.run("ls urdf config").out, "config:\ncar.srdf\ncar.yaml\n\nurdf:\ncar.urdf\n");
+}
+
+/// As of a file that nobody may change, in a folder where others may.
+TEST(Edit, AFileThatCannotBeReplacedLeavesTheOthers) {
+  if (std::system("strace -o /dev/null true >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "strace is not installed, or is not permitted to trace";
+  const Folder folder;
+  put_repository(folder);
+  const std::string matrix = folder.get("config/car.srdf");
+  const Ran ran =
+      folder.rigor("edit rename axle drive_axle urdf/car.urdf --write",
+                   "ASAN_OPTIONS=detect_leaks=0 strace -f -o calls.txt -e trace=renameat,rename "
+                   "-e inject=renameat:error=EPERM:when=2");
+  EXPECT_EQ(ran.exit, 2) << ran.err << folder.get("calls.txt");
+  EXPECT_NE(ran.err.find("cannot be written: Operation not permitted"), std::string::npos)
+      << ran.err;
+  EXPECT_EQ(folder.get("urdf/car.urdf"), kCarUrdf);
+  EXPECT_EQ(folder.get("config/car.yaml"), "controller:\n  joints: [axle]\n");
+  EXPECT_EQ(folder.get("config/car.srdf"), matrix);
+}
+
 constexpr const char* kTwoCarts =
     "<sdf version='1.9'><world name='w'>\n"
     "<model name='blue'><link name='base'/><link name='wheel'/>\n"

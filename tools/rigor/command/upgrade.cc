@@ -169,17 +169,13 @@ class UpgradeCommand final : public Command {
     return change ? unified_diff(change->path, change->before, change->edits) : "";
   }
 
-  /// The model.config too, where it goes along. When that cannot be written, the file is as it was.
+  /// The model.config too, where it goes along.
   void replace_both(const std::string& path, const xml::Document& before,
                     const author::Upgrade& result) const {
-    replace_found(paths_, path, result.text);
-    if (!result.config) return;
-    try {
-      replace_found(paths_, result.config->path, result.config->text);
-    } catch (...) {
-      replace_found(paths_, path, before.bytes());
-      throw;
-    }
+    std::vector<FileReplacement> files{{path, before.bytes(), result.text}};
+    if (const auto& config = result.config)
+      files.push_back({config->path, config->before, config->text});
+    replace_all_found(paths_, files);
   }
 
   /// How many notes were not reported.

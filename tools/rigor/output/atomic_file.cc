@@ -4,8 +4,10 @@
 #include "output/atomic_file.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -103,51 +105,110 @@ void take_after(int file, const process::Descriptor& folder, const std::string& 
   if (::fchmod(file, status.st_mode & 07777U) != 0) fail(path, errno);
 }
 
-/// A new file beside the name that it is to get, gone unless it gets that.
-class NewFile {
+/// Bytes that are to be a file's, which is as it was unless `commit` is called.
+class StagedFile {
  public:
-  NewFile(const process::Descriptor& folder, const std::string& name, const std::string& path)
-      : folder_(folder), name_(name), path_(path) {
-    // What a run that was killed left behind has another number.
-    temporary_ = name + '.' + std::to_string(::getpid()) + ".new";
-    file_ =
-        process::Descriptor(::openat(folder.number(), temporary_.c_str(),
-                                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-    if (file_.number() < 0) {
-      const int error = errno;
-      temporary_.clear();
-      fail(path, error);
-    }
-  }
-  ~NewFile() {
-    if (!temporary_.empty()) ::unlinkat(folder_.number(), temporary_.c_str(), 0);
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
+  virtual ~StagedFile() = default;
+  virtual void commit() = 0;
+};
 
-  void fill(std::string_view bytes) {
-    if (const int error = write_all(file_.number(), bytes)) fail(path_, error);
-    take_after(file_.number(), folder_, name_, path_);
-    // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
-    if (::fsync(file_.number()) != 0) fail(path_, errno);
-    if (const int error = file_.close()) fail(path_, error);
-    if (::renameat(folder_.number(), temporary_.c_str(), folder_.number(), name_.c_str()) != 0) {
-      fail(path_, errno);
+/// A new file beside the name that it is to get in an open folder, gone unless it gets that.
+class StagedBelow final : public StagedFile {
+ public:
+  StagedBelow(process::Descriptor folder, std::string name, std::string path,
+              std::string_view bytes)
+      : folder_(std::move(folder)), name_(std::move(name)), path_(std::move(path)) {
+    // What a run that was killed left behind has another number.
+    temporary_ = name_ + '.' + std::to_string(::getpid()) + ".new";
+    process::Descriptor file(::openat(folder_.number(), temporary_.c_str(),
+                                      O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (file.number() < 0) fail(path_, errno);
+    try {
+      fill(file, bytes);
+    } catch (...) {
+      remove_temporary();
+      throw;
     }
+  }
+  ~StagedBelow() override {
+    if (!temporary_.empty()) remove_temporary();
+  }
+  StagedBelow(const StagedBelow&) = delete;
+  StagedBelow& operator=(const StagedBelow&) = delete;
+
+  void commit() override {
+    if (::renameat(folder_.number(), temporary_.c_str(), folder_.number(), name_.c_str()) != 0)
+      fail(path_, errno);
     temporary_.clear();
+    ::fsync(folder_.number());  // as in `sync_folder_of`
   }
 
  private:
-  const process::Descriptor& folder_;
-  const std::string& name_;
-  const std::string& path_;
+  void remove_temporary() const { ::unlinkat(folder_.number(), temporary_.c_str(), 0); }
+
+  void fill(process::Descriptor& file, std::string_view bytes) const {
+    if (const int error = write_all(file.number(), bytes)) fail(path_, error);
+    take_after(file.number(), folder_, name_, path_);
+    // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
+    if (::fsync(file.number()) != 0) fail(path_, errno);
+    if (const int error = file.close()) fail(path_, error);
+  }
+
+  process::Descriptor folder_;
+  std::string name_;
+  std::string path_;
   std::string temporary_;
-  process::Descriptor file_{-1};
 };
 
-}  // namespace
+/// The same by a path, of which a link is followed.
+class StagedBeside final : public StagedFile {
+ public:
+  StagedBeside(std::string path, std::string target, std::string_view bytes)
+      : path_(std::move(path)), target_(std::move(target)), temporary_(target_ + ".XXXXXX") {
+    process::Descriptor file(::mkstemp(temporary_.data()));
+    if (file.number() < 0) fail(path_, errno);
+    int error = write_all(file.number(), bytes);
+    keep_owner(file.number(), target_);
+    if (error == 0 && ::fchmod(file.number(), mode_for(target_)) != 0) error = errno;
+    // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
+    if (error == 0 && ::fsync(file.number()) != 0) error = errno;
+    if (const int closed = file.close(); error == 0) error = closed;
+    if (error == 0) return;
+    ::unlink(temporary_.c_str());
+    fail(path_, error);
+  }
+  ~StagedBeside() override {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+  StagedBeside(const StagedBeside&) = delete;
+  StagedBeside& operator=(const StagedBeside&) = delete;
 
-void put_file(const std::string& folder, std::string_view name, std::string_view bytes) {
+  void commit() override {
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+    temporary_.clear();
+    sync_folder_of(target_);
+  }
+
+ private:
+  std::string path_;
+  std::string target_;
+  std::string temporary_;
+};
+
+/// What no regular file is takes its bytes as they come.
+class StagedDirectly final : public StagedFile {
+ public:
+  StagedDirectly(std::string path, std::string_view bytes)
+      : path_(std::move(path)), bytes_(bytes) {}
+  void commit() override { write_directly(path_, bytes_); }
+
+ private:
+  std::string path_;
+  std::string bytes_;
+};
+
+std::unique_ptr<StagedFile> staged_below(const std::string& folder, std::string_view name,
+                                         std::string_view bytes) {
   const std::string below = normalize_path(name);
   const std::string whole = join_path(folder, below);
   if (is_absolute(below) || below == "." || below == ".." || below.starts_with("../")) {
@@ -162,53 +223,77 @@ void put_file(const std::string& folder, std::string_view name, std::string_view
                     join_path(folder, below.substr(0, slash)));
     begin = slash + 1;
   }
-  const std::string last = below.substr(begin);
-  NewFile(at, last, whole).fill(bytes);
-  ::fsync(at.number());  // as in `sync_folder_of`
+  return std::make_unique<StagedBelow>(std::move(at), below.substr(begin), whole, bytes);
 }
 
-void replace_found(const std::vector<std::string>& named, const std::string& path,
-                   std::string_view bytes) {
+std::unique_ptr<StagedFile> staged_file(const std::string& path, std::string_view bytes) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail(path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return std::make_unique<StagedDirectly>(path, bytes);
+  const fs::path followed = fs::is_symlink(fs::symlink_status(path, ignored))
+                                ? fs::weakly_canonical(path, ignored)
+                                : fs::path(path);
+  return std::make_unique<StagedBeside>(path, followed.empty() ? path : followed.string(), bytes);
+}
+
+std::unique_ptr<StagedFile> staged_found(const std::vector<std::string>& named,
+                                         const std::string& path, std::string_view bytes) {
   const std::string whole = normalize_path(path);
   std::string best;
   for (const std::string& each : named) {
-    if (normalize_path(each) == whole) return replace_file(path, bytes);
+    if (normalize_path(each) == whole) return staged_file(path, bytes);
     std::error_code ignored;
     std::string folder = fs::is_directory(each, ignored) ? each : std::string(parent_path(each));
     const std::string below = relative_path(folder, whole);
     if (!is_absolute(below) && !below.starts_with("../")) {
-      return put_file(folder, below, bytes);
+      return staged_below(folder, below, bytes);
     }
     if (best.empty()) best = std::move(folder);
   }
-  put_file(best, relative_path(best, whole), bytes);
+  return staged_below(best, relative_path(best, whole), bytes);
+}
+
+/// What could not be done, for the message: nothing is left to try.
+std::string restored(const std::vector<std::string>& named, const FileReplacement& file) {
+  try {
+    staged_found(named, file.path, file.before)->commit();
+    return {};
+  } catch (const UsageError& error) {
+    return std::string("; changed, and not restored: ") + error.what();
+  }
+}
+
+}  // namespace
+
+void put_file(const std::string& folder, std::string_view name, std::string_view bytes) {
+  staged_below(folder, name, bytes)->commit();
+}
+
+void replace_found(const std::vector<std::string>& named, const std::string& path,
+                   std::string_view bytes) {
+  staged_found(named, path, bytes)->commit();
 }
 
 void replace_file(const std::string& path, std::string_view bytes) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) fail(path, EISDIR);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, bytes);
+  staged_file(path, bytes)->commit();
+}
 
-  const fs::path followed = fs::is_symlink(fs::symlink_status(path, ignored))
-                                ? fs::weakly_canonical(path, ignored)
-                                : fs::path(path);
-  const std::string target = followed.empty() ? path : followed.string();
-  std::string temporary = target + ".XXXXXX";
-  process::Descriptor file(::mkstemp(temporary.data()));
-  if (file.number() < 0) fail(path, errno);
-  int error = write_all(file.number(), bytes);
-  keep_owner(file.number(), target);
-  if (error == 0 && ::fchmod(file.number(), mode_for(target)) != 0) error = errno;
-  // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
-  if (error == 0 && ::fsync(file.number()) != 0) error = errno;
-  if (const int closed = file.close(); error == 0) error = closed;
-  if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(temporary.c_str());
-    fail(path, error);
+void replace_all_found(const std::vector<std::string>& named,
+                       const std::vector<FileReplacement>& files) {
+  std::vector<std::unique_ptr<StagedFile>> staged;
+  for (const FileReplacement& file : files)
+    staged.push_back(staged_found(named, file.path, file.after));
+  for (std::size_t i = 0; i < staged.size(); ++i) {
+    try {
+      staged[i]->commit();
+    } catch (const UsageError& error) {
+      std::string message = error.what();
+      for (std::size_t done = 0; done < i; ++done) message += restored(named, files[done]);
+      throw UsageError(message);
+    }
   }
-  sync_folder_of(target);
 }
 
 }  // namespace rigor::tool

@@ -22,9 +22,21 @@ void replace_file(const std::string& path, std::string_view bytes);
 /// and a name that leads out of the folder.
 void put_file(const std::string& folder, std::string_view name, std::string_view bytes);
 
+/// A file and what it holds before and after.
+struct FileReplacement {
+  std::string path;
+  std::string_view before;
+  std::string_view after;
+};
+
 /// A file that is changed in its place. Who named `path` itself may mean a link, which is followed; what was found
 /// in a folder that somebody named, or by the model.config that somebody named, is written as by `put_file`.
 void replace_found(const std::vector<std::string>& named, const std::string& path,
                    std::string_view bytes);
+
+/// The same for several files, all or none: each is on the disk under another name before the first gets its own, and
+/// when one does not get it, those that have are as they were.
+void replace_all_found(const std::vector<std::string>& named,
+                       const std::vector<FileReplacement>& files);
 
 }  // namespace rigor::tool

@@ -219,8 +219,9 @@ class EditCommand final : public Command {
           " that nobody asked for");
       return kFindings;
     }
+    refuse_several(proven.files.size());
     emit_new(change.new_files, disk.reach());
-    emit(request, workspace, proven, sources);
+    emit(request.named, workspace, proven.files, sources);
     tell_others(request, proven);
     if (!verb.searches)
       tell_dangling(request, workspace, *opened.model, *proven.after, disk, sources);
@@ -345,17 +346,18 @@ class EditCommand final : public Command {
     }
   }
 
-  void emit(const EditRequest& request, const EditWorkspace& workspace,
-            const author::ProvenChange& proven, const Sources& sources) const {
-    refuse_several(proven.files.size());
-    for (const author::EditedFile& file : proven.files) {
-      if (!out_.empty()) {
-        write_moved(out_, file.path, file.text);
-      } else if (write_) {
-        replace_found(workspace.in_reach(request.named), file.path, file.text);
-      } else {
+  void emit(const std::vector<std::string>& named, const EditWorkspace& workspace,
+            const std::vector<author::EditedFile>& files, const Sources& sources) const {
+    if (!out_.empty()) {
+      for (const author::EditedFile& file : files) write_moved(out_, file.path, file.text);
+    } else if (write_) {
+      std::vector<FileReplacement> replaced;
+      for (const author::EditedFile& file : files)
+        replaced.push_back({file.path, sources.bytes(file.source), file.text});
+      replace_all_found(workspace.in_reach(named), replaced);
+    } else {
+      for (const author::EditedFile& file : files)
         write({0, {}}, unified_diff(file.path, sources.bytes(file.source), file.edits));
-      }
     }
   }
 
@@ -365,6 +367,26 @@ class EditCommand final : public Command {
         {before, {before.path, proven.after->robot}, differences, sources, false});
     while (text.ends_with('\n')) text.pop_back();
     if (!text.empty()) say(text);
+  }
+
+  /// In the order in which they were read. A file may have been read twice.
+  static std::vector<author::EditedFile> by_file(const std::vector<Edit>& edits,
+                                                 const Sources& sources) {
+    std::vector<author::EditedFile> files;
+    for (const Edit& edit : edits) {
+      const std::string path(sources.path(edit.span.source));
+      auto file = std::find_if(files.begin(), files.end(), [&](const author::EditedFile& each) {
+        return normalize_path(each.path) == normalize_path(path);
+      });
+      if (file == files.end()) file = files.insert(file, {path, edit.span.source, {}, {}});
+      file->edits.push_back({{file->source, edit.span.begin, edit.span.end}, edit.text});
+    }
+    for (author::EditedFile& file : files) {
+      auto text = apply_edits(sources.bytes(file.source), file.edits);
+      if (!text) throw InputError(file.path + " would be changed twice in one place");
+      file.text = *std::move(text);
+    }
+    return files;
   }
 
   int rename() {
@@ -392,29 +414,19 @@ class EditCommand final : public Command {
                         {files, around.files_with({words_[0]}, files, disk)});
     if (!renaming.refused.empty())
       throw InputError('\'' + words_[0] + "' is not renamed: " + renaming.refused);
-    std::map<SourceId, std::vector<Edit>> by_source;
-    for (const Edit& edit : renaming.edits) by_source[edit.span.source].push_back(edit);
-    refuse_several(by_source.size());
-    for (const auto& [source, edits] : by_source) {
-      const std::string path(sources.path(source));
-      const auto text = apply_edits(sources.bytes(source), edits);
-      if (!write_ && out_.empty())
-        write({0, {}}, unified_diff(path, sources.bytes(source), edits));
-      else if (text && write_)
-        replace_found(around.in_reach(named), path, *text);
-      else if (text)
-        write_moved(out_, path, *text);
-    }
-    if (by_source.size() > 1) {
-      for (const auto& [source, edits] : by_source) {
-        say("rigor: " + report::printable(sources.path(source)) + ": " +
-            report::counted(edits.size(), "place"));
+    const std::vector<author::EditedFile> changed = by_file(renaming.edits, sources);
+    refuse_several(changed.size());
+    emit(named, around, changed, sources);
+    if (changed.size() > 1) {
+      for (const author::EditedFile& file : changed) {
+        say("rigor: " + report::printable(file.path) + ": " +
+            report::counted(file.edits.size(), "place"));
       }
     }
     for (const std::string& line : author::mention_lines(sources, renaming.suspected))
       say("rigor: " + report::printable(line) + "; not renamed");
     say("rigor: " + report::counted(renaming.edits.size(), "place") + " in " +
-        report::counted(by_source.size(), "file") +
+        report::counted(changed.size(), "file") +
         (write_ || !out_.empty() ? " renamed" : " would be renamed"));
     return kClean;
   }

@@ -63,8 +63,10 @@ bool change_version(const Environment& environment, const VersionRequest& reques
   if (request.target == EditTarget::kOut) {
     write_moved(request.out, path, result.text);
   } else if (!result.edits.empty() && writes) {
-    replace_found(request.named, path, result.text);
-    if (result.config) replace_found(request.named, result.config->path, result.config->text);
+    std::vector<FileReplacement> files{{path, loaded.file->document->bytes(), result.text}};
+    if (const auto& config = result.config)
+      files.push_back({config->path, config->before, config->text});
+    replace_all_found(request.named, files);
   } else if (!writes) {
     std::string diff = unified_diff(path, loaded.file->document->bytes(), result.edits);
     if (const auto& config = result.config)
