@@ -13,6 +13,7 @@
 #include <rigor/rules/environment.h>
 
 #include "command/command.h"
+#include "model/expansion_map.h"
 #include "model/robot_file.h"
 #include "option/search.h"
 #include "output/output.h"
@@ -68,6 +69,7 @@ class Diff final : public Command {
     std::vector<robot::Difference> differences = robot::compare(*a, *b, all);
     const auto settings = files.settings(loaded_a, model_, loaded_b, model_);
     if (settings) differences.insert(differences.end(), settings->begin(), settings->end());
+    place_in_source(differences, *loaded_a.file, *loaded_b.file, sources);
     const report::RobotDiff diff{
         {loaded_a.file->path, *a}, {loaded_b.file->path, *b}, differences, sources, !settings};
     for (const Target& target : targets) write(target, kDiffFormats[target.format].emit(diff));

@@ -114,6 +114,18 @@ void add_elements(const xacro::Node& node, const std::string& path, PlaceFinder&
 
 }  // namespace
 
+void place_in_source(std::vector<robot::Difference>& differences, const read::File& a,
+                     const read::File& b, const Sources& sources) {
+  const auto place = [&](const read::File& file, Span& where) {
+    if (file.expanded && !where.nowhere() && where.source == file.document->source())
+      where = file.expanded->origin(*file.document, where, sources).where;
+  };
+  for (robot::Difference& each : differences) {
+    place(a, each.span_a);
+    place(b, each.span_b);
+  }
+}
+
 std::string described(const xacro::Fact& fact, const Sources& sources, const Reach& reach) {
   const bool out =
       !fact.where.nowhere() && !reach.holds(std::string(sources.path(fact.where.source)));

@@ -8,7 +8,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include <rigor/read/workspace.h>
+#include <rigor/robot/compare.h>
 #include <rigor/text/sources.h>
 #include <rigor/xacro/expand.h>
 
@@ -18,6 +21,11 @@ namespace rigor::tool {
 
 /// "robot.xacro:88:3"; "?" for a span that is nowhere.
 std::string shown_place(const Sources& sources, Span where);
+
+/// Of differences between the models of two files, the places where their authors wrote what differs: of a template, in
+/// it or in a file that it includes.
+void place_in_source(std::vector<robot::Difference>& differences, const read::File& a,
+                     const read::File& b, const Sources& sources);
 
 /// What the fact says; of one in a file out of reach only that.
 std::string described(const xacro::Fact& fact, const Sources& sources, const Reach& reach);
