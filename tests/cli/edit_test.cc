@@ -21,6 +21,11 @@ constexpr const char* kCarUrdf = R"(<robot name="car">
 </robot>
 )";
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  text.replace(text.rfind(from), from.size(), to);
+  return text;
+}
+
 void put_repository(const Folder& folder) {
   folder.put(".git/HEAD", "ref: refs/heads/main\n");
   folder.put(".gitignore", "build/\n");
@@ -208,6 +213,75 @@ TEST(Edit, AFileThatCannotBeReplacedLeavesTheOthers) {
   EXPECT_EQ(folder.get("config/car.srdf"), matrix);
 }
 
+constexpr const char* kMacroFile =
+    "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
+    "<xacro:macro name='arm' params='prefix'>\n"
+    "<link name='${prefix}hand'/>\n"
+    "<joint name='${prefix}wrist' type='revolute'><parent link='base'/>"
+    "<child link='${prefix}hand'/>\n"
+    "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint>\n"
+    "</xacro:macro></robot>\n";
+
+constexpr const char* kCallingFile =
+    "<robot name='a' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
+    "<xacro:include filename='arm.xacro'/>\n"
+    "<link name='base'/><xacro:arm prefix='l_'/></robot>\n";
+
+TEST(Edit, AMacroOfAnotherFileIsNoResult) {
+  const Folder folder;
+  folder.put("robot.xacro", kCallingFile);
+  folder.put("arm.xacro", kMacroFile);
+  for (const char* edit :
+       {"set-limit l_wrist robot.xacro --lower -0.5", "rename l_hand l_claw robot.xacro"}) {
+    const Ran out = folder.rigor(std::string("edit ") + edit + " -o out.xacro");
+    EXPECT_EQ(out.exit, 2) << edit;
+    EXPECT_NE(out.err.find("arm.xacro would change, and -o writes robot.xacro alone: change the "
+                           "files with --write"),
+              std::string::npos)
+        << out.err;
+    EXPECT_EQ(folder.get("out.xacro"), "") << edit;
+    const Ran isolated = folder.rigor(std::string("edit ") + edit + " --isolated --write");
+    EXPECT_EQ(isolated.exit, 2) << edit;
+    EXPECT_NE(isolated.err.find("arm.xacro would change, and --isolated changes robot.xacro alone"),
+              std::string::npos)
+        << isolated.err;
+    EXPECT_EQ(folder.get("arm.xacro"), kMacroFile) << edit;
+  }
+}
+
+TEST(Edit, PlacesInATemplateAreThoseOfItsAuthor) {
+  const Folder folder;
+  folder.put("robot.xacro", kCallingFile);
+  folder.put("arm.xacro", kMacroFile);
+  const Ran ran = folder.rigor("edit set-limit l_wrist robot.xacro --lower -0.5 --write");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.err.find("arm.xacro:5: joint l_wrist: lower limit -1 → -0.5 rad\n"),
+            std::string::npos)
+      << ran.err;
+  folder.put("before/robot.xacro", kCallingFile);
+  folder.put("before/arm.xacro", kMacroFile);
+  const Ran diff = folder.rigor("diff before/robot.xacro robot.xacro");
+  EXPECT_EQ(diff.out, "arm.xacro:5: joint l_wrist: lower limit -1 → -0.5 rad\n");
+}
+
+TEST(Edit, WhatChangesNothingIsTheModelAsItIs) {
+  const Folder folder;
+  const std::string robot =
+      "<robot name='r'>\n  <link name='a'/>\n  <link name='b'><visual><geometry>"
+      "<mesh filename='b.stl'/></geometry></visual></link>\n"
+      "  <joint name='j' type='revolute'><parent link='a'/><child link='b'/>"
+      "<limit lower='-1.0' upper='1' effort='1' velocity='1'/></joint>\n</robot>\n";
+  folder.put("in/r.urdf", robot);
+  folder.put("out/there.txt", "");
+  const Ran ran = folder.rigor("edit set-limit j in/r.urdf --lower -1 -o out/r.urdf");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_EQ(ran.err, "rigor: nothing changes\n");
+  EXPECT_EQ(folder.get("out/r.urdf"), replaced(robot, "b.stl", "../in/b.stl"));
+  const Ran shown = folder.rigor("edit set-limit j in/r.urdf --lower -1");
+  EXPECT_EQ(shown.exit, 0);
+  EXPECT_EQ(shown.out, "");
+}
+
 constexpr const char* kTwoCarts =
     "<sdf version='1.9'><world name='w'>\n"
     "<model name='blue'><link name='base'/><link name='wheel'/>\n"
@@ -216,11 +290,6 @@ constexpr const char* kTwoCarts =
     "<model name='green'><link name='base'/><link name='wheel'/>\n"
     "<joint name='axle' type='fixed'><parent>base</parent><child>wheel</child></joint></model>\n"
     "</world></sdf>\n";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  text.replace(text.rfind(from), from.size(), to);
-  return text;
-}
 
 TEST(Edit, ANameOfSeveralModelsNeedsOne) {
   const Folder folder;

@@ -34,6 +34,7 @@
 #include "command/edit/edit_version.h"
 #include "command/edit/edit_workspace.h"
 #include "command/edit/rename_target.h"
+#include "model/expansion_map.h"
 #include "model/model_file.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
@@ -80,7 +81,7 @@ class EditCommand final : public Command {
         ->type_name("WORD");
     auto* write = app->add_flag("--write", write_, "Change the files");
     auto* diff = app->add_flag("--diff", diff_, "Show what would change: the default");
-    app->add_option("-o,--out", out_, "Where the changed model goes, of a change of one file")
+    app->add_option("-o,--out", out_, "Where the changed model goes, of a change of its file alone")
         ->type_name("FILE")
         ->excludes(write)
         ->excludes(diff);
@@ -214,18 +215,22 @@ class EditCommand final : public Command {
     for (const std::string& note : change.notes) say("rigor: " + report::printable(note));
     if (!change.product.empty()) return put_product(change.product);
     if (!proven.unasked.empty()) {
-      tell({request.files.front(), change.expected}, proven, proven.unasked, sources);
+      tell(*opened.model, change.expected, proven, proven.unasked, sources);
       say("rigor: nothing is changed: " + report::counted(proven.unasked.size(), "difference") +
           " that nobody asked for");
       return kFindings;
     }
-    refuse_several(proven.files.size());
+    refuse_other_files(request.files.front(), proven.files);
     emit_new(change.new_files, disk.reach());
+    if (proven.files.empty()) {
+      put_unchanged(request.files.front(), disk);
+      return kClean;
+    }
     emit(request.named, workspace, proven.files, sources);
     tell_others(request, proven);
     if (!verb.searches)
       tell_dangling(request, workspace, *opened.model, *proven.after, disk, sources);
-    tell({request.files.front(), opened.model->robot}, proven, proven.asked, sources);
+    tell(*opened.model, opened.model->robot, proven, proven.asked, sources);
     std::size_t places = 0;
     for (const author::EditedFile& file : proven.files) places += file.edits.size();
     say("rigor: " + report::counted(places, "place") + " in " +
@@ -339,11 +344,28 @@ class EditCommand final : public Command {
       say("rigor: " + report::printable(line) + ", which is gone");
   }
 
-  void refuse_several(std::size_t files) const {
-    if (!out_.empty() && files != 1) {
-      throw UsageError("--out takes a change of one file: this is one of " +
-                       report::counted(files, "file"));
+  /// What -o and --isolated leave as it is.
+  void refuse_other_files(const std::string& model,
+                          const std::vector<author::EditedFile>& files) const {
+    const bool is_isolated = search_.config().is_isolated();
+    if (out_.empty() && !is_isolated) return;
+    for (const author::EditedFile& file : files) {
+      if (normalize_path(file.path) == normalize_path(model)) continue;
+      throw UsageError(file.path +
+                       (out_.empty() ? " would change, and --isolated changes "
+                                     : " would change, and -o writes ") +
+                       model + " alone" +
+                       (is_isolated ? std::string() : ": change the files with --write"));
     }
+  }
+
+  /// Nothing changes: then `-o` is the model as it is.
+  void put_unchanged(const std::string& model, const Disk& disk) const {
+    say("rigor: nothing changes");
+    if (out_.empty()) return;
+    const ReadResult read = disk.read(model, read::kMaxModelBytes);
+    if (!read.bytes) throw UsageError(model + ": cannot be read again");
+    write_moved(out_, model, *read.bytes);
   }
 
   void emit(const std::vector<std::string>& named, const EditWorkspace& workspace,
@@ -361,10 +383,16 @@ class EditCommand final : public Command {
     }
   }
 
-  static void tell(const report::DiffSide& before, const author::ProvenChange& proven,
-                   const std::vector<robot::Difference>& differences, const Sources& sources) {
-    std::string text = report::robot_diff_text(
-        {before, {before.path, proven.after->robot}, differences, sources, false});
+  /// What differs between the robot and the one after the change.
+  static void tell(const author::EditedModel& edited, const robot::Robot& robot,
+                   const author::ProvenChange& proven, std::vector<robot::Difference> differences,
+                   const Sources& sources) {
+    place_in_source(differences, *edited.loaded.file, *proven.after->loaded.file, sources);
+    std::string text = report::robot_diff_text({{edited.path(), robot},
+                                                {edited.path(), proven.after->robot},
+                                                differences,
+                                                sources,
+                                                false});
     while (text.ends_with('\n')) text.pop_back();
     if (!text.empty()) say(text);
   }
@@ -415,7 +443,7 @@ class EditCommand final : public Command {
     if (!renaming.refused.empty())
       throw InputError('\'' + words_[0] + "' is not renamed: " + renaming.refused);
     const std::vector<author::EditedFile> changed = by_file(renaming.edits, sources);
-    refuse_several(changed.size());
+    refuse_other_files(files.front(), changed);
     emit(named, around, changed, sources);
     if (changed.size() > 1) {
       for (const author::EditedFile& file : changed) {
