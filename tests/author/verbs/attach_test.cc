@@ -39,6 +39,50 @@ constexpr const char* kJaws = R"(<robot name="jaws">
 </robot>
 )";
 
+TEST(Attach, NamespacesOfTheCopy) {
+  const std::string hand =
+      "<robot name='hand' xmlns:drake='http://drake.mit.edu' "
+      "xmlns:gz='http://gazebosim.org/schema' "
+      "xmlns:unused='http://example.org'>\n"
+      "  <link name='palm'><collision><geometry><box size='1 1 1'/></geometry>"
+      "<drake:proximity_properties gz:of='palm' xml:lang='en'/></collision>"
+      "<own:note xmlns:own='http://example.org/own'/></link>\n</robot>\n";
+  const std::string root = "<robot name='arm' xmlns:gz='http://ignitionrobotics.org/schema'>\n";
+  VerbBench bench({{"arm.urdf", root + "  <link name='base'/>\n</robot>\n"}, {"hand.urdf", hand}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  AttachRequest request;
+  request.link = "base";
+  const Change change = attached(bench.reader(), arm, bench.open("hand.urdf"), request);
+  const std::string text = bench.text(arm, change);
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "<robot name='arm' xmlns:gz='http://ignitionrobotics.org/schema' "
+            "xmlns:drake='http://drake.mit.edu'>");
+  ASSERT_EQ(change.notes.size(), 1U);
+  EXPECT_EQ(change.notes[0],
+            "namespace prefix 'gz' is http://ignitionrobotics.org/schema as in arm.urdf, not "
+            "http://gazebosim.org/schema as in hand.urdf");
+}
+
+TEST(Attach, NamespacesOfANestedModel) {
+  VerbBench bench(
+      {{"arm.sdf",
+        "<sdf version='1.9'>\n  <model name='arm'>\n    <link name='base'/>\n  </model>\n</sdf>\n"},
+       {"hand.sdf",
+        "<sdf version='1.9' xmlns:gz='http://gazebosim.org/schema'>\n  <model name='hand'>\n"
+        "    <link name='palm' gz:of='x'/>\n  </model>\n</sdf>\n"}});
+  const EditedModel& arm = bench.open("arm.sdf");
+  AttachRequest request;
+  request.link = "base";
+  for (const AttachBy by : {AttachBy::kCopy, AttachBy::kInclude}) {
+    request.by = by;
+    const std::string text =
+        bench.text(arm, attached(bench.reader(), arm, bench.open("hand.sdf"), request));
+    EXPECT_EQ(text.substr(0, text.find('\n')),
+              by == AttachBy::kCopy ? "<sdf version='1.9' xmlns:gz='http://gazebosim.org/schema'>"
+                                    : "<sdf version='1.9'>");
+  }
+}
+
 TEST(Attach, AUrdfWithTakenNames) {
   VerbBench bench({{"arm/arm.urdf", kCarrierArm}, {"jaws/jaws.urdf", kJaws}});
   const EditedModel& arm = bench.open("arm/arm.urdf");

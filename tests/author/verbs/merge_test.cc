@@ -26,6 +26,56 @@ constexpr const char* kMergedCart = R"(<?xml version="1.0"?>
 </sdf>
 )";
 
+std::string sdf_with(const std::string& name, const std::string& namespaces,
+                     const std::string& attributes) {
+  return "<sdf version=\"1.9\"" + namespaces + ">\n  <model name=\"" + name +
+         "\">\n    <link name=\"l\"" + attributes + "/>\n  </model>\n</sdf>\n";
+}
+
+TEST(Merge, NamespacesOfBoth) {
+  VerbBench bench(
+      {{"a.sdf", sdf_with("a", " xmlns:gz=\"http://gz\" xmlns:not=\"http://used\"", " gz:a=\"1\"")},
+       {"b.sdf", sdf_with("b", " xmlns:gz=\"http://gz\" xmlns:drake=\"http://d\"",
+                          " gz:a=\"1\" drake:b=\"2\"")},
+       {"c.sdf", sdf_with("c", " xmlns:gz=\"http://other\"", " gz:a=\"1\"")},
+       {"w.sdf",
+        "<sdf version=\"1.9\">\n  <world name=\"w\">\n    <model name=\"m\">\n"
+        "      <link name=\"l\"/>\n    </model>\n  </world>\n</sdf>\n"}});
+  WorldRequest request;
+  request.out = "world.sdf";
+  const MergedWorld both = merged_world(bench.open("a.sdf"), bench.open("b.sdf"), request);
+  EXPECT_EQ(both.refused, "");
+  EXPECT_NE(
+      both.text.find("\n<sdf version=\"1.9\" xmlns:drake=\"http://d\" xmlns:gz=\"http://gz\">\n"),
+      std::string::npos)
+      << both.text;
+  EXPECT_TRUE(both.notes.empty());
+  const MergedWorld put = merged_world(bench.open("w.sdf"), bench.open("c.sdf"), request);
+  EXPECT_EQ(put.refused, "");
+  EXPECT_TRUE(put.text.starts_with("<sdf version=\"1.9\" xmlns:gz=\"http://other\">\n"))
+      << put.text;
+  const MergedWorld other = merged_world(bench.open("a.sdf"), bench.open("c.sdf"), request);
+  ASSERT_EQ(other.notes.size(), 1U);
+  EXPECT_EQ(other.notes[0],
+            "namespace prefix 'gz' is http://gz as in a.sdf, not http://other as in c.sdf");
+}
+
+TEST(Merge, NamespacesOfTwoRobots) {
+  VerbBench bench({{"a.urdf", "<robot name=\"a\">\n  <link name=\"l\"/>\n</robot>\n"},
+                   {"b.urdf",
+                    "<robot name=\"b\" xmlns:drake=\"http://d\">\n  <link name=\"k\">"
+                    "<drake:it/></link>\n</robot>\n"}});
+  const EditedModel& a = bench.open("a.urdf");
+  AttachRequest request;
+  request.link = "root";
+  const std::string text =
+      bench.text(a, merged_robot(bench.reader(), a, bench.open("b.urdf"), request));
+  EXPECT_TRUE(
+      text.starts_with("<robot name=\"a\" xmlns:drake=\"http://d\">\n  <link name=\"l\"/>\n  <link "
+                       "name=\"root\"/>\n"))
+      << text;
+}
+
 TEST(Merge, AWorldOfTwoCopies) {
   VerbBench bench({{"a/cart.sdf", kMergedCart}});
   const EditedModel& cart = bench.open("a/cart.sdf");

@@ -63,6 +63,7 @@ class Attacher {
     if (!block) return refusal("its file has no content to add to");
     Change change;
     change.steps.push_back({*block});
+    if (!includes()) change.steps.push_back(declarations());
     change.expected = joined();
     change.notes = std::move(notes_);
     change.asks_for_setting = [](const robot::Difference& difference) {
@@ -204,6 +205,18 @@ class Attacher {
   /// Of the gripper's file in the folder of the arm's.
   std::vector<Edit> paths_from_arm() const {
     return moved_paths(gripper_->document(), gripper_->path(), parent_path(arm_.path()));
+  }
+
+  /// Of the prefixes in the copy, at the root of the arm's file.
+  std::vector<Edit> declarations() {
+    const xml::Element copied = gripper_->element(gripper_->root()[gripper_->model].site);
+    const std::uint32_t begin = arm_.is_urdf() ? copied.tag_span().end : copied.span().begin;
+    const auto used = namespaces_used(gripper_->document(), begin, copied.span().end);
+    const xml::Element root = *arm_.document().root();
+    for (std::string& note :
+         namespace_conflicts(declared_namespaces(root), arm_.path(), used, gripper_->path()))
+      notes_.push_back(std::move(note));
+    return declared(arm_.document(), root, used);
   }
 
   /// Without the materials of the robot that the arm has already.

@@ -3,14 +3,95 @@
 
 #include <rigor/author/verbs/block.h>
 
+#include <cstddef>
+#include <map>
 #include <numbers>
+#include <string_view>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include <rigor/author/verbs/draft.h>
 #include <rigor/write/numbers.h>
+#include <rigor/xml/edit.h>
 #include <rigor/xml/style.h>
 
 namespace rigor::author {
+namespace {
+
+constexpr std::string_view kDeclaration = "xmlns:";
+
+/// What is before the colon, of a name that needs a declaration.
+std::string_view prefix_of(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  if (colon == std::string_view::npos || name.starts_with("xml:") || name.starts_with(kDeclaration))
+    return {};
+  return name.substr(0, colon);
+}
+
+/// Adds what the prefix is bound to, unless an element behind `begin` says so.
+void add_namespace(xml::Element user, std::string_view prefix, std::uint32_t begin,
+                   std::map<std::string, std::string>& used) {
+  if (prefix.empty()) return;
+  const std::string name = std::string(kDeclaration) + std::string(prefix);
+  for (std::optional<xml::Element> at = user; at; at = at->parent()) {
+    const auto declaration = at->attribute(name);
+    if (!declaration) continue;
+    if (at->span().begin < begin) used.emplace(prefix, declaration->value());
+    return;
+  }
+}
+
+}  // namespace
+
+std::vector<Namespace> namespaces_used(const xml::Document& document, std::uint32_t begin,
+                                       std::uint32_t end) {
+  std::map<std::string, std::string> used;
+  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+    const xml::Element element = document.element(i);
+    if (element.span().begin < begin || element.span().begin >= end) continue;
+    add_namespace(element, prefix_of(element.name()), begin, used);
+    for (const xml::Attribute attribute : element.attributes())
+      add_namespace(element, prefix_of(attribute.name()), begin, used);
+  }
+  return {used.begin(), used.end()};
+}
+
+std::vector<Namespace> declared_namespaces(xml::Element element) {
+  std::vector<Namespace> namespaces;
+  for (const xml::Attribute attribute : element.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name.starts_with(kDeclaration))
+      namespaces.emplace_back(name.substr(kDeclaration.size()), attribute.value());
+  }
+  return namespaces;
+}
+
+std::vector<std::string> namespace_conflicts(const std::vector<Namespace>& bound,
+                                             std::string_view into,
+                                             const std::vector<Namespace>& used,
+                                             std::string_view from) {
+  std::vector<std::string> notes;
+  for (const auto& [prefix, uri] : used) {
+    for (const auto& [other, other_uri] : bound) {
+      if (other == prefix && other_uri != uri)
+        notes.push_back(fmt::format("namespace prefix '{}' is {} as in {}, not {} as in {}", prefix,
+                                    other_uri, into, uri, from));
+    }
+  }
+  return notes;
+}
+
+std::vector<Edit> declared(const xml::Document& document, xml::Element element,
+                           const std::vector<Namespace>& namespaces) {
+  std::vector<std::string> names;
+  for (const auto& [prefix, uri] : namespaces) names.push_back(std::string(kDeclaration) + prefix);
+  std::vector<xml::NamedValue> values;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!element.attribute(names[i])) values.push_back({names[i], namespaces[i].second});
+  }
+  return values.empty() ? std::vector<Edit>{} : xml::set_attributes(document, element, values);
+}
 
 std::optional<std::uint32_t> end_of_content(const xml::Document& document, xml::Element element) {
   const Span span = element.span();

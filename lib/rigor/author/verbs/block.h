@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/author/verbs/edited_model.h>
@@ -36,6 +38,27 @@ std::optional<Edit> block_at_end(const xml::Document& document, xml::Element hol
 /// The same, as the last content of the root of the file that a template is written in. Nothing where that has none, or
 /// does not declare `xacro:`.
 std::optional<Edit> block_in_template(const EditedModel& edited, std::string text);
+
+/// A prefix and the URI that it is bound to.
+using Namespace = std::pair<std::string, std::string>;
+
+/// Those of elements and attributes from one offset to another, which are declared around them; what is declared in
+/// between goes along with a copy. Sorted, each once.
+std::vector<Namespace> namespaces_used(const xml::Document& document, std::uint32_t begin,
+                                       std::uint32_t end);
+
+/// Those that an element declares.
+std::vector<Namespace> declared_namespaces(xml::Element element);
+
+/// A line for each prefix that a copy from `from` has for another URI than `into`.
+std::vector<std::string> namespace_conflicts(const std::vector<Namespace>& bound,
+                                             std::string_view into,
+                                             const std::vector<Namespace>& used,
+                                             std::string_view from);
+
+/// Declares at an element those that it does not, as edits. What it binds to another URI stays.
+std::vector<Edit> declared(const xml::Document& document, xml::Element element,
+                           const std::vector<Namespace>& namespaces);
 
 /// What the children of an element begin with.
 std::string child_indentation(const xml::Document& document, xml::Element holder);

@@ -4,6 +4,7 @@
 #include <rigor/author/verbs/merge.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/core.h>
@@ -40,6 +41,7 @@ class WorldMerger {
   MergedWorld merge() {
     if (world_.refused = fault_of_parts(); !world_.refused.empty()) return std::move(world_);
     name_models();
+    world_.notes = namespace_conflicts(bound_before(), a_.path(), namespaces(b_), b_.path());
     if (a_.root().worlds.empty()) {
       make_world();
     } else if (!add_to_world()) {
@@ -87,10 +89,35 @@ class WorldMerger {
     const std::string name =
         request_.name.empty() ? world_.names[0] + "_and_" + world_.names[1] : request_.name;
     world_.text =
-        fmt::format("<?xml version=\"1.0\"?>\n<sdf version=\"{}\">\n  <world name=\"{}\">\n",
-                    version, xml::escaped(name));
+        fmt::format("<?xml version=\"1.0\"?>\n<sdf version=\"{}\"{}>\n  <world name=\"{}\">\n",
+                    version, declarations(), xml::escaped(name));
     world_.text += "    " + part(a_, 0, std::nullopt) + "\n";
     world_.text += "    " + part(b_, 1, request_.X_WB) + "\n  </world>\n</sdf>\n";
+  }
+
+  /// Of the prefixes in a copied model.
+  std::vector<Namespace> namespaces(const EditedModel& of) const {
+    if (!is_copied()) return {};
+    const Span copied = of.element(of.root()[of.model].site).span();
+    return namespaces_used(of.document(), copied.begin, copied.end);
+  }
+
+  /// At the root of a new world: ` xmlns:gz="…"`.
+  std::string declarations() const {
+    std::map<std::string, std::string> all;
+    for (const EditedModel* each : {&a_, &b_}) {
+      for (const auto& [prefix, uri] : namespaces(*each)) all.emplace(prefix, uri);
+    }
+    std::string text;
+    for (const auto& [prefix, uri] : all)
+      text += fmt::format(" xmlns:{}=\"{}\"", prefix, xml::escaped(uri));
+    return text;
+  }
+
+  /// What the world binds prefixes to before the second model is in it.
+  std::vector<Namespace> bound_before() const {
+    if (a_.root().worlds.empty()) return namespaces(a_);
+    return declared_namespaces(*a_.document().root());
   }
 
   static bool is_newer(const EditedModel& a, const EditedModel& b) {
@@ -108,6 +135,7 @@ class WorldMerger {
     if (!edit) return false;
     std::vector<Edit> edits = moved_paths(document, a_.path(), folder_);
     edits.push_back(*edit);
+    append(edits, declared(document, *document.root(), namespaces(b_)));
     world_.text = apply_edits(document.bytes(), std::move(edits)).value_or("");
     return !world_.text.empty();
   }
@@ -265,9 +293,10 @@ Change merged_robot(ModelReader& reader, const EditedModel& a, const EditedModel
   Change change = attached(reader, *rooted.after, b, request);
   if (!change.refused.empty()) return change;
   PatchedText text(std::string(a.document().bytes()));
-  bool done = text.apply(rooted.files.front().edits);
-  for (std::vector<Edit>& step : change.steps) done = done && text.apply(std::move(step));
-  if (!done) return refusal("two changes meet in one place");
+  std::vector<Edit> edits;
+  for (std::vector<Edit>& step : change.steps) append(edits, std::move(step));
+  if (!text.apply(rooted.files.front().edits) || !text.apply(std::move(edits)))
+    return refusal("two changes meet in one place");
   change.steps = {text.edits(a.document().source())};
   return change;
 }

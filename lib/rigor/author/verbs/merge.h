@@ -37,8 +37,9 @@ struct MergedWorld {
   std::string text;
   std::vector<std::string> names;  ///< of the two models in the world
   std::vector<robot::Difference>
-      unasked;          ///< of the models that were expected and those in the world
-  std::string refused;  ///< why there is no text, as the end of a sentence
+      unasked;                     ///< of the models that were expected and those in the world
+  std::vector<std::string> notes;  ///< what is left to the author, a line each
+  std::string refused;             ///< why there is no text, as the end of a sentence
 
   bool holds() const { return refused.empty() && unasked.empty(); }
 };

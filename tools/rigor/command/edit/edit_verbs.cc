@@ -148,6 +148,7 @@ Change merge(const EditRequest& request, ModelReader& reader, const EditedModel&
   Change change;
   change.expected = first.robot;
   change.product = std::move(world.text);
+  change.notes = std::move(world.notes);
   change.notes.push_back("a world with the models " + world.names[0] + " and " + world.names[1] +
                          ", each as in its file");
   return change;
