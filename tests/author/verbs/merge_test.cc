@@ -76,6 +76,41 @@ TEST(Merge, NamespacesOfTwoRobots) {
       << text;
 }
 
+std::string with_carriage_returns(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+    text.replace(at, 1, "\r\n");
+  return text;
+}
+
+/// Whatever those of the second file are.
+TEST(Merge, LineEndsOfTheFirst) {
+  const std::string b = sdf_with("b", "", "");
+  const std::string world =
+      "<sdf version=\"1.9\">\n  <world name=\"w\">\n    <model name=\"m\">\n      <link "
+      "name=\"l\"/>\n"
+      "    </model>\n  </world>\n</sdf>\n";
+  const std::string a = sdf_with("a", "", "");
+  VerbBench bench({{"a.sdf", a},
+                   {"a_crlf.sdf", with_carriage_returns(a)},
+                   {"b.sdf", b},
+                   {"b_crlf.sdf", with_carriage_returns(b)},
+                   {"w.sdf", world},
+                   {"w_crlf.sdf", with_carriage_returns(world)}});
+  WorldRequest request;
+  request.out = "world.sdf";
+  request.X_WB = model::Pose{{0, 1, 0}, {}};
+  for (const std::string first : {"a", "w"}) {
+    const std::string lines =
+        merged_world(bench.open(first + ".sdf"), bench.open("b.sdf"), request).text;
+    EXPECT_EQ(lines.find('\r'), std::string::npos);
+    for (const char* second : {"b.sdf", "b_crlf.sdf"}) {
+      EXPECT_EQ(merged_world(bench.open(first + ".sdf"), bench.open(second), request).text, lines);
+      EXPECT_EQ(merged_world(bench.open(first + "_crlf.sdf"), bench.open(second), request).text,
+                with_carriage_returns(lines));
+    }
+  }
+}
+
 TEST(Merge, AWorldOfTwoCopies) {
   VerbBench bench({{"a/cart.sdf", kMergedCart}});
   const EditedModel& cart = bench.open("a/cart.sdf");

@@ -120,7 +120,18 @@ std::optional<Edit> block_at_end(const xml::Document& document, xml::Element hol
   if (!at) return std::nullopt;
   const std::string line(xml::line_end(document, *at));
   if (document.bytes()[*at - 1] != '\n') text.insert(0, line);
-  return Edit{{document.source(), *at, *at}, text + line};
+  return Edit{{document.source(), *at, *at}, with_line_ends(text + line, line)};
+}
+
+std::string with_line_ends(std::string_view text, std::string_view line) {
+  std::string result;
+  while (true) {
+    const std::size_t feed = text.find('\n');
+    if (feed == std::string_view::npos) return result.append(text);
+    const bool carriage = feed > 0 && text[feed - 1] == '\r';
+    result.append(text.substr(0, feed - (carriage ? 1 : 0))).append(line);
+    text.remove_prefix(feed + 1);
+  }
 }
 
 std::optional<Edit> block_in_template(const EditedModel& edited, std::string text) {

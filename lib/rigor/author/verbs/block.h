@@ -31,13 +31,17 @@ std::optional<std::uint32_t> end_of_content(const xml::Document& document, xml::
 std::string part_after(const xml::Document& document, std::uint32_t begin, std::uint32_t end,
                        std::vector<Edit> edits);
 
-/// The text, whole lines with the indentation that it has, as the last content of an element; nothing in `<a/>`.
+/// The text, whole lines with the indentation that it has and the line ends of the document, as the last content of an
+/// element; nothing in `<a/>`.
 std::optional<Edit> block_at_end(const xml::Document& document, xml::Element holder,
                                  std::string text);
 
 /// The same, as the last content of the root of the file that a template is written in. Nothing where that has none, or
 /// does not declare `xacro:`.
 std::optional<Edit> block_in_template(const EditedModel& edited, std::string text);
+
+/// With "\n" or "\r\n" as all of its line ends.
+std::string with_line_ends(std::string_view text, std::string_view line);
 
 /// A prefix and the URI that it is bound to.
 using Namespace = std::pair<std::string, std::string>;

@@ -93,6 +93,7 @@ class WorldMerger {
                     version, declarations(), xml::escaped(name));
     world_.text += "    " + part(a_, 0, std::nullopt) + "\n";
     world_.text += "    " + part(b_, 1, request_.X_WB) + "\n  </world>\n</sdf>\n";
+    world_.text = with_line_ends(world_.text, xml::line_end(a_.document(), 0));
   }
 
   /// Of the prefixes in a copied model.
