@@ -99,6 +99,72 @@ TEST(NameGraph, TheModelsOwnPoseIsInTheScopeAroundIt) {
           "<pose relative_to='a'/></link></model></world>"));
 }
 
+TEST(NameGraph, FrictionDirectionsInAFrame) {
+  for (const std::string prefix : {"gz", "ignition"}) {
+    const auto text = [&](const std::string& name) {
+      return sdf_of("<model name='m'><link name='" + name +
+                    "'/><link name='w'><collision><surface>"
+                    "<fdir1 " +
+                    prefix + ":expressed_in='" + name +
+                    "'>1 0 0</fdir1></surface></collision></link></model>");
+    };
+    NamedFiles files({{"m.sdf", text("a")}});
+    EXPECT_EQ(files.renamed("m.sdf", "a", "b"), text("b"));
+  }
+}
+
+TEST(NameGraph, TheJointOfASensorOfAUrdf) {
+  const auto text = [](const std::string& name) {
+    return "<robot name='r'><link name='l'/><joint name='" + name +
+           "' type='fixed'/><sensor name='j' type='force_torque'><parent joint='" + name +
+           "'/></sensor></robot>";
+  };
+  NamedFiles files({{"r.urdf", text("j")}});
+  EXPECT_EQ(files.renamed("r.urdf", "j", "k"),
+            "<robot name='r'><link name='l'/><joint name='k' type='fixed'/><sensor name='j' "
+            "type='force_torque'><parent joint='k'/></sensor></robot>");
+}
+
+/// The link of DetachableJoint's child_model is that model's, which may have the name of one of the plugin's own model.
+TEST(NameGraph, ADetachableJointNamesAModelAndItsLink) {
+  const auto text = [](const std::string& own, const std::string& model, const std::string& link) {
+    return sdf_of("<world name='w'><model name='m'><link name='" + own +
+                  "'/><plugin name='p' filename='f'><parent_link>" + own +
+                  "</parent_link><child_model>" + model + "</child_model><child_link>" + link +
+                  "</child_link></plugin><plugin name='q' filename='f'><parent_link>" + own +
+                  "</parent_link><child_model>__model__</child_model><child_link>" + own +
+                  "</child_link></plugin></model><model name='" + model + "'><link name='" + link +
+                  "'/></model></world>");
+  };
+  NamedFiles files({{"w.sdf", text("body", "n", "body")}});
+  EXPECT_EQ(files.renamed("w.sdf", "n", "k"), text("body", "k", "body"));
+  EXPECT_EQ(files.renamed("w.sdf", "m::body", "hull"), text("hull", "n", "body"));
+  EXPECT_EQ(files.renamed("w.sdf", "n::body", "hull"), text("body", "n", "hull"));
+  const std::string alone =
+      "<robot name='r'><link name='a'/><gazebo><plugin name='p' filename='f'><parent_link>a"
+      "</parent_link><child_model>box</child_model><child_link>a</child_link></plugin></gazebo>"
+      "</robot>";
+  NamedFiles robot({{"r.urdf", alone}});
+  EXPECT_EQ(robot.uses("r.urdf", "a").size(), 2U);  // not the box's
+}
+
+TEST(NameGraph, LevelsNameModels) {
+  const auto text = [](const std::string& name) {
+    return sdf_of(
+        "<world name='w'><plugin name='gz::sim' filename='dummy'><performer name='p'>"
+        "<ref>" +
+        name + "</ref></performer><level name='l'><ref>" + name +
+        "</ref><ref>tile</ref></level></plugin><model name='" + name +
+        "'><link name='box'/></model><model name='tile'/></world>");
+  };
+  NamedFiles files({{"w.sdf", text("box")}});
+  EXPECT_EQ(files.renamed("w.sdf", "box", "crate"),
+            sdf_of("<world name='w'><plugin name='gz::sim' filename='dummy'><performer name='p'>"
+                   "<ref>crate</ref></performer><level name='l'><ref>crate</ref><ref>tile</ref>"
+                   "</level></plugin><model name='crate'><link name='box'/></model>"
+                   "<model name='tile'/></world>"));
+}
+
 TEST(NameGraph, MergedModelsJoinTheScope) {
   NamedFiles files(
       {{"arm.sdf", sdf_of("<model name='arm'><link name='hand'/></model>")},

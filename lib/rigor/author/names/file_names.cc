@@ -29,12 +29,13 @@ struct ReferencePlace {
 };
 
 constexpr ReferencePlace kSdfReferences[] = {
-    {"", "", "relative_to", kFrameKinds},    {"", "pose", "frame", kFrameKinds},
-    {"", "", "attached_to", kFrameKinds},    {"", "", "expressed_in", kFrameKinds},
-    {"joint", "parent", "", kFrameKinds},    {"joint", "child", "", kFrameKinds},
-    {"joint", "parent", "link", kLinks},     {"joint", "child", "link", kLinks},
-    {"", "mimic", "joint", kJoints},         {"", "gearbox_reference_body", "", kFrameKinds},
-    {"gripper", "gripper_link", "", kLinks}, {"gripper", "palm_link", "", kLinks},
+    {"", "", "relative_to", kFrameKinds},     {"", "pose", "frame", kFrameKinds},
+    {"", "", "attached_to", kFrameKinds},     {"", "", "expressed_in", kFrameKinds},
+    {"joint", "parent", "", kFrameKinds},     {"joint", "child", "", kFrameKinds},
+    {"joint", "parent", "link", kLinks},      {"joint", "child", "link", kLinks},
+    {"", "mimic", "joint", kJoints},          {"", "gearbox_reference_body", "", kFrameKinds},
+    {"gripper", "gripper_link", "", kLinks},  {"gripper", "palm_link", "", kLinks},
+    {"", "", "gz:expressed_in", kFrameKinds}, {"", "", "ignition:expressed_in", kFrameKinds},
 };
 
 constexpr ReferencePlace kUrdfReferences[] = {
@@ -42,7 +43,16 @@ constexpr ReferencePlace kUrdfReferences[] = {
     {"joint", "mimic", "joint", kJoints},         {"sensor", "parent", "link", kLinks},
     {"transmission", "joint", "name", kJoints},   {"ros2_control", "joint", "name", kJoints},
     {"", "gazebo", "reference", kLinksAndJoints}, {"", "", "relative_to", kFrameKinds},
-    {"", "", "attached_to", kFrameKinds},
+    {"", "", "attached_to", kFrameKinds},         {"sensor", "parent", "joint", kJoints},
+    {"", "", "gz:expressed_in", kFrameKinds},     {"", "", "ignition:expressed_in", kFrameKinds},
+};
+
+/// Parameters of plugins whose names do not tell that they are a model's: levels and DetachableJoint of gz-sim.
+constexpr ReferencePlace kPluginReferences[] = {
+    {"performer", "ref", "", {NameKind::kModel}},
+    {"level", "ref", "", {NameKind::kModel}},
+    {"", "child_model", "", {NameKind::kModel}},
+    {"", "parent_model", "", {NameKind::kModel}},
 };
 
 constexpr ReferencePlace kSrdfReferences[] = {
@@ -90,6 +100,7 @@ class NameCollector {
     } else {
       names_.scopes.clear();
     }
+    refer_to_other_models();
     return std::move(names_);
   }
 
@@ -243,9 +254,48 @@ class NameCollector {
                 trimmed(attribute.value(), attribute.value_span(), attribute.verbatim()),
                 element.name(), scope);
     }
-    if (element.children().empty() && element.name() != "plugin")
+    if (element.children().empty() && element.name() != "plugin" &&
+        !takes_model_reference(element, scope))
       parameter(element.name(), text_of(element), element.name(), scope);
     for (const xml::Element child : element.children()) plugin(child, scope);
+  }
+
+  /// Whether its text is the name of a model, or of a link of another model.
+  bool takes_model_reference(xml::Element element, std::uint32_t scope) {
+    const auto parent = element.parent();
+    for (const ReferencePlace& place : kPluginReferences) {
+      if (place.element != element.name()) continue;
+      if (!place.parent.empty() && (!parent || parent->name() != place.parent)) continue;
+      perhaps_refer(text_of(element), scope, place.kinds);
+      return true;
+    }
+    if (element.name() != "child_link" || !parent || !parent->child("child_model")) return false;
+    const Span model = text_of(*parent->child("child_model"));
+    others_.push_back({text_of(element), model.nowhere() ? "" : std::string(bytes(model)), scope});
+    return true;
+  }
+
+  /// The model may be defined behind what refers to its link; of one that is in no model of the file nothing is known.
+  void refer_to_other_models() {
+    for (const LinkOfOther& each : others_) {
+      const std::uint32_t model = model_seen_from(each.model, each.scope);
+      if (model == kNoEntity) continue;
+      if (NameReference* reference = refer(each.link, each.scope, kLinks)) {
+        reference->within = model;
+        reference->certain = false;
+      }
+    }
+  }
+
+  /// As gz-sim has it: `__model__` is the plugin's own.
+  std::uint32_t model_seen_from(std::string_view name, std::uint32_t scope) const {
+    if (name == "__model__") return names_.scopes[scope].model;
+    while (true) {
+      const std::uint32_t found = entity_named(name, scope);
+      if (found != kNoEntity && names_.entities[found].kind == NameKind::kModel) return found;
+      if (names_.scopes[scope].outer == scope) return kNoEntity;
+      scope = names_.scopes[scope].outer;
+    }
   }
 
   void parameter(std::string_view name, Span value, std::string_view element, std::uint32_t scope) {
@@ -282,8 +332,16 @@ class NameCollector {
     for (const xml::Element child : element.children()) robot_part(child);
   }
 
+  /// What a plugin tells of a link of a model that it names, too.
+  struct LinkOfOther {
+    Span link;
+    std::string model;
+    std::uint32_t scope;
+  };
+
   const xml::Document& document_;
   FileNames names_;
+  std::vector<LinkOfOther> others_;
 };
 
 }  // namespace

@@ -439,7 +439,7 @@ class EditCommand final : public Command {
         found_in(graph, sources, files.front(), {words_[0], model_, options_.kind});
     const author::Renaming renaming =
         author::renamed({graph, environment.resolver, sources}, target, words_[1],
-                        {files, around.files_with({words_[0]}, files, disk)});
+                        {files, around.files_with({graph.entity(target).name}, files, disk)});
     if (!renaming.refused.empty())
       throw InputError('\'' + words_[0] + "' is not renamed: " + renaming.refused);
     const std::vector<author::EditedFile> changed = by_file(renaming.edits, sources);
