@@ -125,6 +125,12 @@ TEST(SrdfCommand, RefusesWhatIsNoSrdf) {
   folder.put("arm.urdf", kReachingArm);
   folder.put("world.sdf", "<sdf version='1.9'/>");
   EXPECT_EQ(folder.rigor("srdf arm.urdf --update world.sdf").exit, 1);
+  const Ran robot = folder.rigor("srdf arm.urdf --update arm.urdf --write");
+  EXPECT_EQ(robot.exit, 1);
+  EXPECT_NE(robot.err.find("arm.urdf is a URDF, not an SRDF: its <robot> has a <link>"),
+            std::string::npos)
+      << robot.err;
+  EXPECT_EQ(folder.get("arm.urdf"), kReachingArm);
   EXPECT_EQ(folder.rigor("srdf arm.urdf --write").exit, 2);
   EXPECT_EQ(folder.rigor("srdf lost.urdf").exit, 2);
 }

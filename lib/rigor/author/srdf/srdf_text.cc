@@ -109,6 +109,12 @@ MatrixUpdate updated_matrix(const xml::Document& document,
     update.refused = "is not an SRDF: its root is no <robot>";
     return update;
   }
+  // An SRDF names links and joints only within groups and states.
+  for (const char* part : {"link", "joint"}) {
+    if (!root->child(part)) continue;
+    update.refused = fmt::format("is a URDF, not an SRDF: its <robot> has a <{}>", part);
+    return update;
+  }
   std::map<LinkNames, const DisabledPair*> wanted;
   for (const DisabledPair& pair : disabled)
     wanted.emplace(link_names(pair.link1, pair.link2), &pair);

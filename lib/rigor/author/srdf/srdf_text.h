@@ -33,7 +33,7 @@ struct MatrixUpdate {
 
 /// `<disable_collisions>` of the document made to be these pairs. Elements whose reason no assistant computes
 /// ("User", others, none) stay as they are, and their pairs are not added again; so do all other elements, and
-/// comments. Refuses what is not well-formed or no `<robot>`.
+/// comments. Refuses what is not well-formed, no `<robot>`, or a URDF.
 MatrixUpdate updated_matrix(const xml::Document& document,
                             const std::vector<DisabledPair>& disabled);
 
