@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <rigor/author/verbs/add/add.h>
 #include <rigor/author/verbs/prefix.h>
 #include <rigor/author/verbs/remove.h>
 #include <rigor/author/verbs/set_value.h>
@@ -92,6 +93,31 @@ TEST(TemplateVerbs, ElementsOfTheTemplateItself) {
   const EditedModel& robot = bench.open("r.urdf.xacro");
   EXPECT_EQ(bench.text(robot, removed(robot, "flag", Subtree::kRefused, {})),
             one.substr(0, one.find("  <link name=\"flag\"")) + "</robot>\n");
+}
+
+/// Whichever file the macro is in.
+TEST(TemplateVerbs, BehindACallThatIsTheLastOfItsFile) {
+  const std::string macro = R"(  <xacro:macro name="wheel" params="n">
+    <link name="${n}_wheel"/>
+    <joint name="${n}_j" type="fixed"><parent link="base"/><child link="${n}_wheel"/></joint>
+  </xacro:macro>
+)";
+  const std::string begin = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  const std::string end = "  <link name=\"base\"/>\n  <xacro:wheel n=\"l\"/>\n";
+  VerbBench bench(
+      {{"one.xacro", begin + macro + end + "</robot>\n"},
+       {"two.xacro", begin + "  <xacro:include filename=\"wheel.xacro\"/>\n" + end + "</robot>\n"},
+       {"wheel.xacro", begin + macro + "</robot>\n"}});
+  for (const std::string file : {"one.xacro", "two.xacro"}) {
+    const EditedModel& robot = bench.open(file);
+    AddRequest request;
+    request.what = "imu";
+    request.to = "base";
+    const std::string text = bench.text(robot, added(robot, request));
+    EXPECT_NE(text.find(end + "  <gazebo reference=\"base\">\n    <sensor "), std::string::npos)
+        << text;
+    EXPECT_TRUE(text.ends_with("  </gazebo>\n</robot>\n")) << text;
+  }
 }
 
 }  // namespace

@@ -51,9 +51,14 @@ std::string collect(const EditedModel& edited, const std::vector<std::vector<Edi
       const Span where = step.front().span;
       const read::Origin origin =
           edited.loaded.file->expanded->origin(edited.document(), where, edited.sources);
-      return fmt::format("{}:{} is computed by an expression",
-                         edited.sources.path(origin.where.source),
-                         edited.sources.position(origin.where.source, origin.where.begin).line);
+      const std::string place =
+          fmt::format("{}:{}", edited.sources.path(origin.where.source),
+                      edited.sources.position(origin.where.source, origin.where.begin).line);
+      const bool is_added = std::all_of(step.begin(), step.end(),
+                                        [](const Edit& edit) { return edit.span.size() == 0; });
+      return is_added
+                 ? "nothing can be added at " + place + ", which a macro or an expression makes"
+                 : place + " is computed by an expression";
     }
     for (const Edit& edit : *written) {
       EditedFile& file = by_path[normalize_path(edited.sources.path(edit.span.source))];

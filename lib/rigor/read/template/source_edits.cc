@@ -39,6 +39,12 @@ std::optional<std::pair<std::string_view, std::string>> attribute_in(std::string
                    xml::decode(text.substr(equals + 2, text.size() - equals - 3)).text};
 }
 
+std::optional<xml::Element> last_child(xml::Element element) {
+  std::optional<xml::Element> last;
+  for (const xml::Element child : element.children()) last = child;
+  return last;
+}
+
 /// Its lines with as much less indentation as the first has; nothing where one has less.
 std::string as_snippet(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -148,11 +154,15 @@ std::vector<Edit> SourceEdits::of_inserted(xml::Element parent, std::optional<xm
   if (!pair) return {};
   if (!after) return xml::insert_child(pair->file, pair->written(), std::nullopt, snippet);
   const auto beside = pair_of(*after);
-  if (!beside || beside->file.source() != pair->file.source()) return {};
-  const xml::Element own = pair->file.element(beside->index);
-  // What a macro or a condition brought is written elsewhere.
-  if (!own.parent() || own.parent()->index() != pair->index) return {};
-  return xml::insert_child(pair->file, pair->written(), own, snippet);
+  if (beside && beside->file.source() == pair->file.source()) {
+    const xml::Element own = pair->file.element(beside->index);
+    if (own.parent() && own.parent()->index() == pair->index)
+      return xml::insert_child(pair->file, pair->written(), own, snippet);
+  }
+  // What a macro or a condition brought is written elsewhere; behind the last of a parent is at its end all the same.
+  const auto last = last_child(pair->written());
+  if (!last || last_child(parent)->index() != after->index()) return {};
+  return xml::insert_child(pair->file, pair->written(), last, snippet);
 }
 
 }  // namespace rigor::read
