@@ -282,6 +282,24 @@ TEST(Edit, WhatChangesNothingIsTheModelAsItIs) {
   EXPECT_EQ(shown.out, "");
 }
 
+TEST(Edit, WhatAVerbNeedsIsAUsageError) {
+  const Folder folder;
+  folder.put("car.urdf", kCarUrdf);
+  const auto refused = [&](const std::string& words, const std::string& message) {
+    const Ran ran = folder.rigor("edit " + words);
+    EXPECT_EQ(ran.exit, 2) << words;
+    EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
+  };
+  refused("add imu car.urdf", "edit add imu needs --to LINK");
+  refused("add force_torque car.urdf", "edit add force_torque needs --to JOINT");
+  refused("split base car.urdf --at nolink",
+          "--at \"nolink\": no link, joint or frame has that name, and a pose is x y z, or x y z "
+          "roll pitch yaw");
+  refused("prefix '' car.urdf", "PREFIX is empty");
+  refused("unprefix '' car.urdf", "PREFIX is empty");
+  EXPECT_EQ(folder.rigor("edit add joint-state-publisher car.urdf").exit, 0);
+}
+
 constexpr const char* kTwoCarts =
     "<sdf version='1.9'><world name='w'>\n"
     "<model name='blue'><link name='base'/><link name='wheel'/>\n"

@@ -37,12 +37,17 @@ using author::Change;
 using author::EditedModel;
 using author::ModelReader;
 
+const std::string& prefix_of(const EditRequest& request) {
+  if (request.words[0].empty()) throw UsageError("PREFIX is empty");
+  return request.words[0];
+}
+
 Change prefix(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  return author::prefixed(edited, request.words[0], {request.files, request.found});
+  return author::prefixed(edited, prefix_of(request), {request.files, request.found});
 }
 
 Change unprefix(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  return author::unprefixed(edited, request.words[0], {request.files, request.found});
+  return author::unprefixed(edited, prefix_of(request), {request.files, request.found});
 }
 
 Change remove(const EditRequest& request, ModelReader&, const EditedModel& edited) {
@@ -165,6 +170,18 @@ std::vector<std::string> names_in(const std::string& list) {
   return names;
 }
 
+/// Of an --at that is no name of the model.
+model::Pose pose_at(const std::string& text) {
+  try {
+    return pose_of("--at", text);
+  } catch (const UsageError&) {
+    throw UsageError(
+        "--at \"" + text +
+        "\": no link, joint or frame has that name, and a pose is x y z, or x y z roll "
+        "pitch yaw");
+  }
+}
+
 Change split(const EditRequest& request, ModelReader&, const EditedModel& edited) {
   const EditOptions& options = request.options;
   const std::string& link = request.words[0];
@@ -174,7 +191,7 @@ Change split(const EditRequest& request, ModelReader&, const EditedModel& edited
   asked.name = options.name;
   asked.take = names_in(options.take);
   const auto place = author::place_in_link(edited, link, options.frame);
-  asked.X_LN = place ? *place : pose_of("--at", options.frame);
+  asked.X_LN = place ? *place : pose_at(options.frame);
   if (options.mass == "shapes") {
     asked.share = author::SplitMass::kShapes;
   } else if (!options.mass.empty()) {
@@ -220,6 +237,8 @@ Change add(const EditRequest& request, ModelReader&, const EditedModel& edited) 
   author::AddRequest asked;
   asked.what = names[choice("template of edit add", request.words[0], names)];
   asked.to = options.to;
+  if (const auto place = author::needed_place(asked.what); options.to.empty() && !place.empty())
+    throw UsageError("edit add " + asked.what + " needs --to " + std::string(place));
   asked.parameters = options.parameters;
   if (!options.pose.empty()) asked.X = pose_of("--pose", options.pose);
   if (!options.target.empty()) {

@@ -379,6 +379,15 @@ class Adder {
 
 }  // namespace
 
+std::string_view needed_place(std::string_view name) {
+  for (const Addition& each : kAdditions) {
+    if (each.name != name) continue;
+    if (each.kind == AdditionKind::kSensor) return "LINK";
+    if (each.kind == AdditionKind::kJointSensor) return "JOINT";
+  }
+  return {};
+}
+
 std::vector<std::string_view> addition_names() {
   std::vector<std::string_view> names;
   for (const Addition& addition : kAdditions) names.push_back(addition.name);

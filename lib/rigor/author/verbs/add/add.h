@@ -41,6 +41,9 @@ struct AddRequest {
 /// "odometry-publisher", "pose-publisher". And "ros2_control" and "transmission", of URDF.
 std::vector<std::string_view> addition_names();
 
+/// What `to` has to name for the addition of that name: "LINK", "JOINT"; empty where it may be empty.
+std::string_view needed_place(std::string_view name);
+
 /// Refused: what its target has no template for, what the file's version of SDF has not, names that do not exist, and a
 /// drive of a model without wheels. A name that is taken gets a number.
 Change added(const EditedModel& edited, const AddRequest& request);
