@@ -300,6 +300,20 @@ TEST(Edit, WhatAVerbNeedsIsAUsageError) {
   EXPECT_EQ(folder.rigor("edit add joint-state-publisher car.urdf").exit, 0);
 }
 
+TEST(Edit, MjcfIsNotEdited) {
+  const Folder folder;
+  folder.put("h.xml",
+             "<mujoco><worldbody><body name='torso'><geom size='1'/></body></worldbody></mujoco>");
+  for (const char* edit : {"rename torso chest", "prefix my_", "scale 2"}) {
+    const Ran ran = folder.rigor(std::string("edit ") + edit + " h.xml");
+    EXPECT_EQ(ran.exit, 1) << edit;
+    EXPECT_NE(ran.err.find("h.xml is MJCF, which is not edited: convert it with mjcf2urdf or "
+                           "mjcf2sdf"),
+              std::string::npos)
+        << ran.err;
+  }
+}
+
 constexpr const char* kTwoCarts =
     "<sdf version='1.9'><world name='w'>\n"
     "<model name='blue'><link name='base'/><link name='wheel'/>\n"

@@ -55,6 +55,7 @@ std::string unreadable(const read::Loaded& loaded) {
   if (!loaded.file->document) return ": " + loaded.file->problem;
   if (!loaded.file->document->complete()) return " is not well-formed";
   const model::Format format = loaded.root.format;
+  if (format == model::Format::kMjcf) return std::string(kMjcfNotEdited);
   if (format != model::Format::kSdf && format != model::Format::kUrdf) return " is no robot model";
   if (loaded.root.models.empty()) return " has no model";
   for (const model::Include& include : loaded.root.includes) {

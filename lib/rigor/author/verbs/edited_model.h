@@ -73,6 +73,10 @@ struct EditedModel {
   std::string name_of(model::Id<model::Frame> id) const;
 };
 
+/// Behind the path of a file.
+inline constexpr std::string_view kMjcfNotEdited =
+    " is MJCF, which is not edited: convert it with mjcf2urdf or mjcf2sdf";
+
 /// What a file's model is, or why it cannot be edited.
 struct OpenedModel {
   std::unique_ptr<EditedModel> model;

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/author/verbs/edited_model.h>
 #include <rigor/read/workspace.h>
 
 #include "command/command.h"
@@ -66,6 +67,9 @@ std::string described(NameGraph& graph, const Sources& sources, const EntityId& 
 
 EntityId found_in(NameGraph& graph, const Sources& sources, const std::string& file,
                   const RenameTarget& target) {
+  const auto& document = graph.file(file).document;
+  if (document && document->root() && document->root()->name() == "mujoco")
+    throw InputError(file + std::string(author::kMjcfNotEdited));
   std::vector<EntityId> found = graph.find_all(file, target.name, target.model);
   if (found.empty() && !target.model.empty() && graph.find_all(file, target.model).empty())
     throw InputError(fmt::format("{} has no model '{}'", file, target.model));
