@@ -58,7 +58,7 @@ class Model:
     def verb(self, name, tool):
         """The words of the command line, None where the verb does not apply."""
         if name == "rename":
-            return [name, self.link, self.link + "_renamed", self.path]
+            return [name, self.link, self.link + "_renamed", self.path, "--kind", "link"]
         if name == "attach":
             return [name, self.path, tool, "--to", self.link, "--prefix", "attached_", "--pose", "0.1 0 0 0 0 0.5"]
         if name == "merge":
