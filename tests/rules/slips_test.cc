@@ -21,9 +21,13 @@ using SlipSeverities = std::vector<Severity>;
 const SlipSeverities kSlipWarning{Severity::kWarning};
 const SlipSeverities kSlipInfo{Severity::kInfo};
 
-/// Of one rule in one file.
+/// Of one rule in one file, beside the model of a table.
 SlipSeverities found(const std::string& rule, const std::string& path, const std::string& text) {
-  const MemoryDisk disk(std::map<std::string, std::string>{{path, text}});
+  const MemoryDisk disk(std::map<std::string, std::string>{
+      {path, text},
+      {"table/model.config", "<model><name>table</name><sdf>model.sdf</sdf></model>"},
+      {"table/model.sdf",
+       "<sdf version='1.9'><model name='table'><link name='top'/></model></sdf>"}});
   const Environment environment(disk, {});
   Sources sources;
   SlipSeverities severities;
@@ -163,6 +167,11 @@ TEST(Slips, IncludesWithoutSchemeAreGradedByTheOthers) {
   };
   EXPECT_EQ(found("include-uri-without-scheme", "a.sdf", world("model://sun")), kSlipWarning);
   EXPECT_EQ(found("include-uri-without-scheme", "a.sdf", world("models/sun")), kSlipInfo);
+  // What is not found is one finding, of another rule.
+  EXPECT_EQ(
+      found("include-uri-without-scheme", "a.sdf",
+            "<sdf version='1.9'><world name='w'><include><uri>chair</uri></include></world></sdf>"),
+      SlipSeverities{});
 }
 
 TEST(Slips, LockedJointsAreGradedByWhetherTheyHaveAMotor) {

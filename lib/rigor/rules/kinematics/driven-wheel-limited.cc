@@ -48,6 +48,7 @@ std::string obstacle(const model::Joint& joint) {
   }
   if (!is_limited(joint.type) || joint.axes.empty()) return {};
   const model::Axis& axis = joint.axes.front();
+  if (!axis.lower.written && !axis.upper.written) return {};  // limit-missing
   if (!(axis.upper.value - axis.lower.value < kEnough)) return {};
   return fmt::format("is limited to {:.6g} … {:.6g} rad", axis.lower.value, axis.upper.value);
 }

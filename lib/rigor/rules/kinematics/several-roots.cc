@@ -10,17 +10,30 @@
 
 namespace rigor::rules::several_roots {
 
+/// Links that are named in place of another by a joint, which two-parents reports.
+std::set<const model::Link*> misnamed_children(const Tree& tree, const model::Model& robot,
+                                               const model::Root& root) {
+  std::set<const model::Link*> links;
+  for (const auto& joints : tree.parents) {
+    for (std::size_t k = 0; joints.size() > 1 && k < joints.size(); ++k) {
+      links.insert(misnamed_child(root[joints[k]], tree, robot, root));
+    }
+  }
+  return links;
+}
+
 void check(const model::Model& robot, Context& context) {
   const model::Root& root = context.root();
   const Tree tree = tree_of(root, context.frames(), robot);
   if (!tree.complete) return;  // a link whose joint does not exist is no second root
   const model::Link* first = nullptr;
   std::set<std::string_view> names;
+  const auto misnamed = misnamed_children(tree, robot, root);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const model::Link& link = root[robot.links[i]];
     // Of two links of one name the joints mean the first: the second is another rule's affair.
     const bool repeated = !names.insert(link.name.value).second;
-    if (repeated || !tree.parents[i].empty()) continue;
+    if (repeated || !tree.parents[i].empty() || misnamed.contains(&link)) continue;
     if (first == nullptr) {
       first = &link;
       continue;

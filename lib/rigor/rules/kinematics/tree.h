@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,20 @@ inline Tree tree_of(const model::Root& root, const model::Frames& frames,
   gone.flip();
   tree.on_loop = std::move(gone);
   return tree;
+}
+
+/// Of a joint whose child another joint has, too: the link that no joint carries, and whose name this joint has in its
+/// own, as left_wheel_joint has; but for _link. Null when there is none.
+inline const model::Link* misnamed_child(const model::Joint& joint, const Tree& tree,
+                                         const model::Model& robot, const model::Root& root) {
+  for (std::size_t i = 0; i < tree.parents.size(); ++i) {
+    const model::Link& link = root[robot.links[i]];
+    std::string_view name = link.name.value;
+    if (!tree.parents[i].empty() || name == joint.parent.value) continue;
+    if (name.ends_with("_link")) name.remove_suffix(5);
+    if (name.size() > 2 && joint.name.value.find(name) != std::string::npos) return &link;
+  }
+  return nullptr;
 }
 
 }  // namespace rigor::rules
