@@ -249,6 +249,33 @@ TEST(LspHover, ShowsWhatAnExpressionGives) {
   EXPECT_NE(text.find("`b_link`"), std::string::npos) << text;
 }
 
+TEST(LspHover, TagsOfXacroAreNotTheElementAroundThem) {
+  MemoryDisk disk(
+      test::Files{{"/ws/m.xacro",
+                   "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:macro name='wheel' "
+                   "params='side *origin'><link name='${side}_wheel'/></xacro:macro></robot>"}});
+  Editor editor(disk);
+  const std::string path = "/ws/r.urdf.xacro";
+  editor.open(path,
+              "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n<xacro:include "
+              "filename='m.xacro'/>\n<xacro:if value='1'><link name='a'/></xacro:if>\n"
+              "<xacro:wheel side='l'>\n<origin/>\n</xacro:wheel>\n</robot>");
+  const auto text = [&](const std::string& mark, std::size_t moved) {
+    const Json hover = editor.request("textDocument/hover", editor.at(path, mark, moved));
+    return hover.is_null() ? std::string() : hover["contents"]["value"].get<std::string>();
+  };
+  EXPECT_NE(text("<xacro:include", 8).find("another file"), std::string::npos);
+  EXPECT_NE(text("<xacro:if", 2).find("if `value` is true"), std::string::npos);
+  EXPECT_EQ(text("filename='m.xacro'", 3).find("robot"), std::string::npos);
+  // On the prefix, on the name, and on that in the end tag.
+  const std::string macro = text("<xacro:wheel", 8);
+  EXPECT_NE(macro.find("params='side *origin'"), std::string::npos) << macro;
+  EXPECT_NE(macro.find("m.xacro"), std::string::npos) << macro;
+  EXPECT_EQ(text("<xacro:wheel", 2), macro);
+  EXPECT_EQ(text("</xacro:wheel", 9), macro);
+  EXPECT_NE(text("<link", 2).find("**link**"), std::string::npos);
+}
+
 TEST(LspAnswers, BrokenXmlKeepsTheLastModel) {
   MemoryDisk disk;
   Editor editor(disk);

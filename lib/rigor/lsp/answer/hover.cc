@@ -17,10 +17,12 @@
 #include <rigor/lsp/answer/name_lookup.h>
 #include <rigor/lsp/answer/uri_at.h>
 #include <rigor/lsp/document/schema_place.h>
+#include <rigor/lsp/document/xacro_tags.h>
 #include <rigor/mass/link_body.h>
 #include <rigor/mass/proposal.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/report/number.h>
+#include <rigor/text/path.h>
 
 namespace rigor::lsp {
 namespace {
@@ -144,6 +146,9 @@ std::string template_name_text(Analysis& analysis, const NameAt& name) {
     const xml::Document document = xml::parse_own(bytes, place.where.source);
     const auto element = document.element_at(place.where.begin);
     if (!element) continue;
+    const std::string_view path = sources.path(place.where.source);
+    if (normalize_path(path) != normalize_path(analysis.path()))
+      text += fmt::format(", defined in {}", file_name(path));
     const Span tag = element->tag_span();
     text += fmt::format("\n\n```xml\n{}\n```", bytes.substr(tag.begin, tag.size()));
   }
@@ -180,6 +185,18 @@ std::optional<HoverText> schema_hover(Analysis& analysis, xml::Element element,
   return std::nullopt;
 }
 
+/// Of the name in the start tag of an element that is xacro's: the macro that it calls, or what xacro does with it.
+std::optional<HoverText> xacro_hover(Analysis& analysis, xml::Element element,
+                                     std::uint32_t offset) {
+  const Span where = element.name_span();
+  if (offset < where.begin || where.end < offset) return std::nullopt;
+  if (const std::string_view text = xacro_tag_text(element.name()); !text.empty())
+    return HoverText{fmt::format("**{}**\n\n{}", element.name(), text), where};
+  const auto macro = name_at(analysis, where.end);
+  if (!macro || !std::holds_alternative<author::TemplateName>(macro->name)) return std::nullopt;
+  return HoverText{template_name_text(analysis, *macro), where};
+}
+
 std::optional<HoverText> value_hover(Analysis& analysis, xml::Element element,
                                      std::uint32_t offset) {
   for (const xml::Attribute attribute : element.attributes()) {
@@ -202,7 +219,9 @@ std::optional<HoverText> mesh_hover(const State& state, Analysis& analysis, std:
 std::optional<HoverText> hover_at(const State& state, Analysis& analysis, std::uint32_t offset) {
   if (auto mesh = mesh_hover(state, analysis, offset)) return mesh;
   const auto element = analysis.written().element_at(offset);
-  if (element) {
+  if (element && is_of_xacro(element->name())) {
+    if (auto text = xacro_hover(analysis, *element, offset)) return text;
+  } else if (element) {
     if (auto text = schema_hover(analysis, *element, offset)) {
       const bool has_entity = element->name() == "link" || element->name() == "joint";
       if (!has_entity || text->where.begin != element->name_span().begin || analysis.is_template())

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include <rigor/lsp/document/xacro_tags.h>
+
 namespace rigor::lsp {
 namespace {
 
@@ -25,8 +27,6 @@ std::optional<schema::Node> in_gazebo(const Environment& environment, std::strin
   }
   return model->child(name);
 }
-
-bool is_of_xacro(std::string_view name) { return name.starts_with("xacro:"); }
 
 }  // namespace
 
