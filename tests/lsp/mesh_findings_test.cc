@@ -75,6 +75,55 @@ TEST(LspMeshFindings, MeshesAreOpenedBehindTheTypingAndTheirFindingsKept) {
   EXPECT_FALSE(mesh_finding(editor).is_null());
 }
 
+/// A robot with three small boxes, one of ten meters, and a mesh.
+std::string robot_with_a_hall() {
+  std::string text = "<robot name='r'>\n";
+  const auto link = [&text](const std::string& name, const std::string& shape) {
+    text += "<link name='" + name + "'><collision><geometry>" + shape +
+            "</geometry></collision></link>\n";
+  };
+  link("base", "<box size='0.1 0.1 0.1'/>");
+  for (const char* name : {"a", "b"}) link(name, "<box size='0.1 0.1 0.1'/>");
+  link("large", "<box size='10 10 10'/><!-- or less -->");
+  link("hall", "<mesh filename='hall.obj'/>");
+  for (const char* name : {"a", "b", "large", "hall"}) {
+    text += std::string("<joint name='j_") + name + "' type='fixed'><parent link='base'/><child " +
+            "link='" + name + "'/></joint>\n";
+  }
+  return text + "</robot>\n";
+}
+
+TEST(LspMeshFindings, ARobotIsNotJudgedByTheShapesThatAreNoMeshes) {
+  // A tetrahedron of 10 m: beside it the large box is not odd.
+  const std::string obj =
+      "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  MemoryDisk disk(test::Files{{"/ws/hall.obj", obj}});
+  Editor editor(disk);
+  const std::string path = "/ws/r.urdf";
+  const auto finds = [&](std::string_view rule) {
+    const std::vector<std::string> rules = editor.rules(path);
+    return std::find(rules.begin(), rules.end(), rule) != rules.end();
+  };
+  editor.open(path, robot_with_a_hall());
+  EXPECT_FALSE(finds("shape-exceeds-robot"));
+  open_meshes(editor);
+  EXPECT_FALSE(finds("shape-exceeds-robot"));
+
+  // Without a mesh it is found at once; of a robot with a small one when that is opened.
+  std::string text = robot_with_a_hall();
+  const std::string mesh = "<mesh filename='hall.obj'/>";
+  text.replace(text.find(mesh), mesh.size(), "<box size='0.1 0.1 0.1'/>");
+  editor.change(path, text);
+  EXPECT_TRUE(finds("shape-exceeds-robot"));
+  text = robot_with_a_hall();
+  text.replace(text.find(mesh), mesh.size(), "<mesh filename='hall.obj' scale='0.01 0.01 0.01'/>");
+  editor.change(path, text);
+  EXPECT_FALSE(finds("shape-exceeds-robot"));
+  editor.notify("textDocument/didSave", editor.document(path));
+  open_meshes(editor);
+  EXPECT_TRUE(finds("shape-exceeds-robot"));
+}
+
 TEST(LspMeshFindings, WhatWasStoppedIsDoneAgain) {
   MemoryDisk disk(test::Files{{"/ws/cut.stl", kCut}});
   Editor editor(disk);

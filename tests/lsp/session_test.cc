@@ -72,7 +72,7 @@ TEST(LspSession, FindingsAreThoseOfTheCommandLine) {
   MemoryDisk same(test::Files{{"/ws/r.urdf", kTwoLinks}});
   const Environment environment(same, {});
   const auto result = rules::validate(
-      environment, {.paths = {"/ws/r.urdf"}, .meshes = rules::MeshPolicy::kDoNotOpen}, sources);
+      environment, {.paths = {"/ws/r.urdf"}, .meshes = rules::MeshPolicy::kLeaveOut}, sources);
   std::vector<std::string> expected;
   for (const Diagnostic& each : result.diagnostics.list()) expected.emplace_back(each.rule);
   EXPECT_EQ(editor.rules("/ws/r.urdf"), expected);

@@ -35,8 +35,7 @@ Json baseline_action(const State& state, const OpenDocument& document,
     return nullptr;
   rules::BaselineFile file = rules::read_baseline(read.bytes.value_or(std::string()));
   if (!file.problems.empty()) return nullptr;
-  const auto options =
-      check_options(*state.project, document.path(), rules::MeshPolicy::kDoNotOpen);
+  const auto options = check_options(*state.project, document.path(), rules::MeshPolicy::kLeaveOut);
   const rules::BaselineRun run(state.environment(), options, checked.result, baseline_place(*path));
   const auto found = run.found().find({run.name(document.path()), std::string(finding.rule)});
   if (found == run.found().end()) return nullptr;

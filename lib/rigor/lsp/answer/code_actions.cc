@@ -131,7 +131,7 @@ void add_finding_actions(const CodeActionRequest& request, Json& actions) {
 
 void add_fix_all(const CodeActionRequest& request, Json& actions) {
   const std::string& path = request.document.path();
-  const auto options = check_options(*request.state.project, path, rules::MeshPolicy::kDoNotOpen);
+  const auto options = check_options(*request.state.project, path, rules::MeshPolicy::kLeaveOut);
   const auto fixed = author::fix_files(request.state.environment(), options, request.checked.result,
                                        *request.checked.sources, Applicability::kSafe);
   for (const author::FixedFile& file : fixed) {

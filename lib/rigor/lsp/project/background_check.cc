@@ -39,7 +39,7 @@ void BackgroundCheck::run() {
   const EditorDisk disk(disk_, texts_);
   const Project project(disk, paths_, worker_, knowledge_);
   const std::string& path = document_.path;
-  whole_ = check(disk, project, path, rules::MeshPolicy::kDoNotOpen);
+  whole_ = check(disk, project, path, rules::MeshPolicy::kLeaveOut);
   const auto text = texts_.find(normalize_path(path));
   if (text != texts_.end() && PartCheck::is_worth_it(path, *text->second, whole_))
     parts_ = PartCheck::of(path, *text->second);

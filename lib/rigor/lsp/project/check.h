@@ -29,7 +29,8 @@ rules::ValidateOptions check_options(const Project& project, const std::string& 
 /// Of the baseline at a path, whose project's files are named by their whole paths here.
 rules::BaselinePlace baseline_place(const std::string& path);
 
-/// With kDoNotOpen no mesh file is read, as while somebody types.
+/// With kLeaveOut no mesh file is read, as while somebody types, and a robot that has meshes is not assembled: what
+/// its other shapes alone show is often wrong.
 CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
                       rules::MeshPolicy meshes,
                       rules::TemplateDepth depth = rules::TemplateDepth::kModel);

@@ -148,7 +148,7 @@ const PartCheck::Before& PartCheck::before(const Excerpt& excerpt, const EditorD
                                            const Project& project) {
   if (before_ && before_->excerpt == excerpt) return *before_;
   const CheckedDocument alone =
-      check_text(disk, project, path_, excerpt.text(*text_), rules::MeshPolicy::kDoNotOpen);
+      check_text(disk, project, path_, excerpt.text(*text_), rules::MeshPolicy::kLeaveOut);
   Sources sources;
   const std::vector<Diagnostic> found = in_document(excerpt, alone, sources);
   std::set<Place> in_part;
@@ -174,7 +174,7 @@ std::optional<CheckedDocument> PartCheck::check_expansion(const EditorDisk& disk
                                                           const Project& project,
                                                           const std::string& text,
                                                           const TextChange& change) {
-  CheckedDocument checked = lsp::check(disk, project, path_, rules::MeshPolicy::kDoNotOpen,
+  CheckedDocument checked = lsp::check(disk, project, path_, rules::MeshPolicy::kLeaveOut,
                                        rules::TemplateDepth::kExpansion);
   const auto& found = checked.result.diagnostics.list();
   const bool fails = std::any_of(found.begin(), found.end(), [](const Diagnostic& finding) {
@@ -229,7 +229,7 @@ std::optional<CheckedDocument> PartCheck::check(const EditorDisk& disk, const Pr
   const Before& before = this->before(*excerpt, disk, project);
   const Excerpt changed = excerpt->after(change);
   const std::string part = changed.text(text);
-  CheckedDocument alone = check_text(disk, project, path_, part, rules::MeshPolicy::kDoNotOpen);
+  CheckedDocument alone = check_text(disk, project, path_, part, rules::MeshPolicy::kLeaveOut);
   checked.asked_files.merge(alone.asked_files);
   const bool is_whole = xml::parse_own(part, kOwn).complete();
   const auto is_new = [&before](const Diagnostic& finding) {

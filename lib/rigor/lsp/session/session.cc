@@ -278,7 +278,7 @@ std::unique_ptr<BackgroundCheck> Session::background_check(std::vector<std::stri
 }
 
 std::unique_ptr<BackgroundCheck> Session::take_whole_check() {
-  return background_check(to_check_whole_, rules::MeshPolicy::kDoNotOpen);
+  return background_check(to_check_whole_, rules::MeshPolicy::kLeaveOut);
 }
 
 std::unique_ptr<BackgroundCheck> Session::take_mesh_check() {

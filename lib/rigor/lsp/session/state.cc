@@ -110,7 +110,7 @@ const CheckedDocument& State::checked_whole(OpenDocument& document) {
   if (last.version == document.version() && last.is_whole) return last.checked;
   last.checked = {};
   if (is_checked(document.path(), document.text())) {
-    last.checked = check(disk, *project, document.path(), rules::MeshPolicy::kDoNotOpen);
+    last.checked = check(disk, *project, document.path(), rules::MeshPolicy::kLeaveOut);
   } else {
     last.checked.sources = std::make_unique<Sources>();
   }
