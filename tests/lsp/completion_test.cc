@@ -109,6 +109,80 @@ TEST(LspCompletion, NamesInScope) {
   EXPECT_TRUE(frames.contains("left"));
 }
 
+TEST(LspCompletion, NamesThatAReferenceCannotHaveAreLeftOut) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  const std::string head =
+      "<sdf version='1.9'><model name='m'><link name='a'/><frame name='f'/><model name='n'>"
+      "<link name='c'/></model><link name='b'>";
+  const std::string joint = head + "</link><joint name='j' type='fixed'>";
+  const std::string end = "</joint></model></sdf>";
+  using Names = std::set<std::string>;
+  EXPECT_EQ(offered(editor, "/ws/a.sdf", joint + "<child>|</child>" + end),
+            (Names{"a", "b", "f", "n::c"}));
+  EXPECT_EQ(offered(editor, "/ws/b.sdf", joint + "<parent>|</parent>" + end),
+            (Names{"a", "b", "f", "n::c", "world"}));
+  EXPECT_EQ(offered(editor, "/ws/c.sdf", head + "<pose relative_to='|'/></link></model></sdf>"),
+            (Names{"a", "f", "n", "n::c", "__model__"}));
+  EXPECT_EQ(offered(editor, "/ws/d.sdf",
+                    "<sdf version='1.9'><world name='w'><model name='o'/><model name='m'><pose "
+                    "relative_to='|'/><link name='a'/></model></world></sdf>"),
+            (Names{"o", "world"}));
+  EXPECT_EQ(offered(editor, "/ws/e.urdf",
+                    "<robot name='r'><link name='a'/><joint name='j'/><joint name='a'>"
+                    "<parent link='|'/></joint></robot>"),
+            (Names{"a"}));
+  EXPECT_EQ(offered(editor, "/ws/f.urdf",
+                    "<robot name='r'><joint name='j'/><joint name='k'><mimic joint='|'/></joint>"
+                    "</robot>"),
+            (Names{"j"}));
+}
+
+TEST(LspCompletion, ASemanticDescriptionHasItsOwnElements) {
+  MemoryDisk disk(test::Files{
+      {"/ws/r.urdf",
+       "<robot name='r'><link name='base'/><link name='tip'/><joint name='j' type='fixed'>"
+       "<parent link='base'/><child link='tip'/></joint></robot>"},
+      {"/ws/o.urdf", "<robot name='other'><link name='elsewhere'/></robot>"}});
+  Editor editor(disk);
+  using Names = std::set<std::string>;
+  const auto at = [&](const std::string& text) {
+    return offered(
+        editor, "/ws/r.srdf",
+        "<robot name='r'>\n<group name='arm'/>\n<group name='hand'/>\n" + text + "\n</robot>");
+  };
+  EXPECT_EQ(at("<|"),
+            (Names{"group", "group_state", "end_effector", "virtual_joint", "passive_joint",
+                   "joint_property", "disable_collisions", "enable_collisions",
+                   "disable_default_collisions", "link_sphere_approximation", "/robot>"}));
+  EXPECT_EQ(at("<group name='x'><|</group>"),
+            (Names{"link", "joint", "chain", "group", "/group>"}));
+  EXPECT_EQ(at("<disable_collisions link1='a' |/>"), (Names{"link2", "reason"}));
+  EXPECT_EQ(at("<disable_collisions link1='|'/>"), (Names{"base", "tip"}));
+  EXPECT_EQ(at("<group name='x'><chain base_link='|'/></group>"), (Names{"base", "tip"}));
+  EXPECT_EQ(at("<group_state name='s' group='arm'><joint name='|'/></group_state>"), (Names{"j"}));
+  EXPECT_EQ(at("<group_state name='s' group='|'/>"), (Names{"arm", "hand"}));
+  EXPECT_EQ(at("<virtual_joint type='|'/>"), (Names{"fixed", "planar", "floating"}));
+}
+
+TEST(LspCompletion, ACallIsOfferedWhatItLacks) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  const std::string head =
+      "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:macro name='leg' "
+      "params='pre size *origin **shapes'><link name='${pre}'/></xacro:macro>";
+  EXPECT_EQ(offered(editor, "/ws/a.urdf.xacro",
+                    head + "<xacro:leg pre='a' |><origin/><link/></xacro:leg></robot>"),
+            (std::set<std::string>{"size"}));
+  editor.open("/ws/b.urdf.xacro", head + "<\n</robot>");
+  const Json items =
+      editor.request("textDocument/completion", editor.at("/ws/b.urdf.xacro", "<\n</robot>", 1));
+  const auto leg = std::find_if(items.begin(), items.end(),
+                                [](const Json& item) { return item["label"] == "xacro:leg"; });
+  ASSERT_NE(leg, items.end());
+  EXPECT_EQ((*leg)["textEdit"]["newText"], "xacro:leg pre=\"${1}\" size=\"${2}\">$0</xacro:leg>");
+}
+
 TEST(LspCompletion, TemplatesOfferTheirOwnNames) {
   MemoryDisk disk;
   Editor editor(disk);

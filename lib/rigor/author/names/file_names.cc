@@ -368,8 +368,8 @@ std::optional<NameKinds> referenced_kinds(std::string_view root, std::string_vie
     return std::nullopt;
   };
   if (root == "sdf") {
-    if (element == "model" && (attribute == "canonical_link" || attribute == "placement_frame"))
-      return kFrameKinds;
+    if (element == "model" && attribute == "canonical_link") return kLinks;
+    if (element == "model" && attribute == "placement_frame") return kFrameKinds;
     return find(kSdfReferences);
   }
   if (auto kinds = find(kUrdfReferences)) return kinds;

@@ -145,6 +145,19 @@ std::vector<NameUse> NameGraph::parts_in(Place place, const NameReference& refer
   }
 }
 
+/// SRDF says of which robot it is by that one's name; several files may have it.
+std::vector<std::string> NameGraph::described_robots(const std::string& path) {
+  const FileNames& names = this->names(path);
+  if (names.shared_kinds || names.entities.size() != 1) return {};
+  std::vector<std::string> robots;
+  for (const std::string& robot : robots_) {
+    const FileNames& others = this->names(robot);
+    if (!others.entities.empty() && others.entities[0].name == names.entities[0].name)
+      robots.push_back(robot);
+  }
+  return robots;
+}
+
 std::vector<NameUse> NameGraph::parts(const std::string& path, const NameReference& reference) {
   if (reference.within != kNoEntity) {
     const auto place = inside({normalize_path(path), reference.within});
@@ -160,11 +173,7 @@ std::vector<NameUse> NameGraph::parts(const std::string& path, const NameReferen
     uses = parts_in({normalize_path(path), scope}, reference);
     if (!uses.empty()) return uses;
   }
-  if (names.shared_kinds || names.entities.size() != 1) return {};
-  // SRDF says of which robot it is by that one's name; several files may have it.
-  for (const std::string& robot : robots_) {
-    const FileNames& others = this->names(robot);
-    if (others.entities.empty() || others.entities[0].name != names.entities[0].name) continue;
+  for (const std::string& robot : described_robots(path)) {
     for (NameUse& use : parts_in({robot, 0}, reference)) uses.push_back(std::move(use));
   }
   return uses;
@@ -286,6 +295,11 @@ std::vector<std::string> NameGraph::visible(const std::string& path, std::uint32
     for (const NamedEntity& part : this->names(there->path).entities) {
       if (part.scope == there->scope && kinds.has(part.kind) && !part.name.empty())
         visible.push_back(entity.name + std::string(kScopeMark) + part.name);
+    }
+  }
+  for (const std::string& robot : described_robots(path)) {
+    for (const NamedEntity& part : this->names(robot).entities) {
+      if (kinds.has(part.kind) && !part.name.empty()) visible.push_back(part.name);
     }
   }
   return visible;

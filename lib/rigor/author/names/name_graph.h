@@ -73,7 +73,7 @@ class NameGraph {
   std::string scoped_name(const EntityId& id);
 
   /// Names of those kinds that a reference at a byte offset of the file can have: of the innermost model or world
-  /// around it, and, behind `::`, of models in that.
+  /// around it, and, behind `::`, of models in that. Of SRDF those of its robots.
   std::vector<std::string> visible(const std::string& path, std::uint32_t offset, NameKinds kinds);
 
   /// What else has a name in the same scope, when something has: for renaming to it.
@@ -90,6 +90,8 @@ class NameGraph {
   /// Where the parts of a model are defined; nothing where its file is not there.
   std::optional<Place> inside(const EntityId& model);
   std::optional<std::string> included(const std::string& path, const NamedEntity& include);
+  /// Those that the file describes by their name, as SRDF does; none of a file with names of its own.
+  std::vector<std::string> described_robots(const std::string& path);
   std::vector<NameUse> parts(const std::string& path, const NameReference& reference);
   std::vector<NameUse> parts_in(Place place, const NameReference& reference);
   std::vector<NameUse> find_uses(const std::string& path);

@@ -113,9 +113,11 @@ class TemplateNameCollector {
       while (name.starts_with('*')) name.remove_prefix(1);
       const auto begin = static_cast<std::size_t>(name.data() - value.data());
       around.parameters.emplace(name);
-      add(TemplateNameKind::kParameter, sub(params->value_span(), begin, begin + name.size()),
-          element, around.name)
-          .defines = true;
+      TemplateName& parameter =
+          add(TemplateNameKind::kParameter, sub(params->value_span(), begin, begin + name.size()),
+              element, around.name);
+      parameter.defines = true;
+      parameter.is_block = each.name.starts_with('*');
     }
     return around;
   }

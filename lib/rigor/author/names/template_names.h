@@ -33,6 +33,7 @@ struct TemplateName {
   Span also = {};  ///< of a macro's call with content, the name in its end tag
   Span element = {};
   bool defines = false;
+  bool is_block = false;  ///< of a parameter's definition: its value is an element of the call
 
   bool same_as(const TemplateName& other) const {
     return kind == other.kind && owner == other.owner && name == other.name;

@@ -15,9 +15,12 @@
 #include <rigor/author/names/file_names.h>
 #include <rigor/author/names/template_names.h>
 #include <rigor/lsp/answer/answers.h>
+#include <rigor/lsp/answer/name_lookup.h>
 #include <rigor/lsp/answer/uri_completion.h>
 #include <rigor/lsp/document/schema_place.h>
+#include <rigor/lsp/document/srdf_elements.h>
 #include <rigor/lsp/document/xml_cursor.h>
+#include <rigor/read/srdf/srdf.h>
 #include <rigor/read/template/template_expander.h>
 #include <rigor/rules/plugin/systems.h>
 
@@ -94,7 +97,8 @@ class Completer {
       : state_(state),
         document_(document),
         offset_(offset),
-        cursor_(xml_cursor(document.text(), offset)) {
+        cursor_(xml_cursor(document.text(), offset)),
+        is_srdf_(is_srdf(document.path())) {
     for (const OpenElement& element : cursor_.open) {
       path_.push_back(element.name);
       if (element.name == "sdf") version_ = attribute_in(element.tag, "version");
@@ -122,6 +126,7 @@ class Completer {
     return path_.size() < 2 ? std::string_view() : path_[path_.size() - 2];
   }
   std::optional<schema::Node> place() const {
+    if (is_srdf_) return std::nullopt;
     return schema_place(state_.environment(), path_, version_);
   }
 
@@ -153,9 +158,11 @@ class Completer {
 
   void tag_names() {
     if (path_.empty()) {
-      for (const std::string_view name : {"sdf", "robot"}) add(name, ItemKind::kField, name);
+      if (!is_srdf_) add("sdf", ItemKind::kField, "sdf");
+      add("robot", ItemKind::kField, "robot");
       return;
     }
+    if (is_srdf_) srdf_tag_names();
     if (const auto node = place()) {
       for (const schema::Node child : node->children()) {
         if (child.deprecated_since()) continue;
@@ -164,12 +171,29 @@ class Completer {
       }
     }
     for (const Snippet& snippet : kSnippets) {
-      if (state_.client.snippets && snippet.root == root() && snippet.parent == element())
+      if (state_.client.snippets && !is_srdf_ && snippet.root == root() &&
+          snippet.parent == element())
         add(snippet.label, ItemKind::kSnippet, snippet.label, {}, snippet.text);
     }
     if (element() == "plugin") plugin_parameters();
     macros();
     end_tag("/");
+  }
+
+  void srdf_tag_names() {
+    for (const SrdfElement& each : srdf_elements()) {
+      if (each.parent != element()) continue;
+      std::string snippet(each.name);
+      int field = 1;
+      for (const std::string_view attribute : each.attributes)
+        snippet += fmt::format(" {}=\"${{{}}}\"", attribute, field++);
+      const auto elements = srdf_elements();
+      const bool has_content =
+          std::any_of(elements.begin(), elements.end(),
+                      [&each](const SrdfElement& child) { return child.parent == each.name; });
+      snippet += has_content ? fmt::format(">$0</{}>", each.name) : "/>$0";
+      add(each.name, ItemKind::kField, each.name, each.text, snippet);
+    }
   }
 
   void end_tag(std::string_view before = {}) {
@@ -184,12 +208,15 @@ class Completer {
       if (name.kind != author::TemplateNameKind::kMacro) continue;
       std::string snippet = "xacro:" + name.name;
       int field = 1;
+      bool has_block = false;
       for (const author::TemplateName& parameter : names_) {
-        if (parameter.kind == author::TemplateNameKind::kParameter && parameter.defines &&
-            parameter.owner == name.name)
-          snippet += fmt::format(" {}=\"${{{}}}\"", parameter.name, field++);
+        if (parameter.kind != author::TemplateNameKind::kParameter || parameter.owner != name.name)
+          continue;
+        has_block = has_block || parameter.is_block;
+        if (!parameter.is_block) snippet += fmt::format(" {}=\"${{{}}}\"", parameter.name, field++);
       }
-      add("xacro:" + name.name, ItemKind::kFunction, "xacro:" + name.name, {}, snippet + "/>");
+      snippet += has_block ? fmt::format(">$0</xacro:{}>", name.name) : "/>";
+      add("xacro:" + name.name, ItemKind::kFunction, "xacro:" + name.name, {}, snippet);
     }
   }
 
@@ -212,21 +239,34 @@ class Completer {
     return names_;
   }
 
+  bool has_attribute(std::string_view name) const {
+    return !attribute_in(cursor_.open.back().tag, name).empty();
+  }
+
+  void add_attribute(std::string_view name, std::string_view text = {}) {
+    if (has_attribute(name)) return;
+    add(name, ItemKind::kProperty, fmt::format("{}=\"\"", name), text,
+        fmt::format("{}=\"$1\"", name));
+  }
+
   void attribute_names() {
-    const std::string_view tag = cursor_.open.back().tag;
-    const bool is_xacro = element().starts_with("xacro:");
-    if (const auto node = is_xacro ? std::nullopt : place()) {
-      for (const schema::Node attribute : node->attributes()) {
-        if (!attribute_in(tag, attribute.name()).empty()) continue;
-        add(attribute.name(), ItemKind::kProperty, fmt::format("{}=\"\"", attribute.name()),
-            schema_text(attribute), fmt::format("{}=\"$1\"", attribute.name()));
-      }
+    if (element().starts_with("xacro:")) return parameters();
+    if (const auto node = place()) {
+      for (const schema::Node attribute : node->attributes())
+        add_attribute(attribute.name(), schema_text(attribute));
     }
-    if (!is_xacro) return;
+    const SrdfElement* known = is_srdf_ ? find_srdf_element(parent(), element()) : nullptr;
+    if (known == nullptr) return;
+    for (const std::string_view attribute : known->attributes) add_attribute(attribute);
+  }
+
+  /// Of the macro that is called; its blocks are elements of the content.
+  void parameters() {
     defined_names();
     for (const author::TemplateName& name : names_) {
-      if (name.kind == author::TemplateNameKind::kParameter && name.owner == element().substr(6))
-        add(name.name, ItemKind::kProperty, name.name + "=\"\"", {}, name.name + "=\"$1\"");
+      if (name.kind == author::TemplateNameKind::kParameter && !name.is_block &&
+          name.owner == element().substr(6))
+        add_attribute(name.name);
     }
   }
 
@@ -235,6 +275,7 @@ class Completer {
     const auto node = place();
     if (const auto attribute = node ? node->attribute(cursor_.attribute) : std::nullopt)
       values(*attribute);
+    if (is_srdf_) srdf_values_here();
     if (const auto kinds = author::referenced_kinds(root(), parent(), element(), cursor_.attribute))
       names(*kinds);
     if (element() == "plugin" && cursor_.attribute == "filename") return plugins();
@@ -246,7 +287,11 @@ class Completer {
       trim_typed();
     if (expression()) return;
     if (const auto node = place()) values(*node);
-    if (const auto kinds = author::referenced_kinds(root(), parent(), element(), "")) names(*kinds);
+    if (is_joint_end("parent") || is_joint_end("child")) {
+      names({author::NameKind::kLink, author::NameKind::kJoint, author::NameKind::kFrame});
+    } else if (const auto kinds = author::referenced_kinds(root(), parent(), element(), "")) {
+      names(*kinds);
+    }
     if (element() == "uri") uris();
   }
 
@@ -264,18 +309,76 @@ class Completer {
       add(*value, ItemKind::kValue, *value, "The default.");
   }
 
-  /// Of the innermost model around the cursor, and of models in it.
+  void srdf_values_here() {
+    for (const std::string_view value : srdf_values(element(), cursor_.attribute))
+      add(value, ItemKind::kEnum, value);
+    if (!refers_to_srdf_group(parent(), element(), cursor_.attribute)) return;
+    const auto root = document_.readable(state_.environment()).written().root();
+    if (!root) return;
+    const std::string_view own = attribute_in(cursor_.open[cursor_.open.size() - 2].tag, "name");
+    for (const std::string& group : read::read_srdf(*root).groups) {
+      if (!group.empty() && (parent() != "group" || group != own))
+        add(group, ItemKind::kReference, group);
+    }
+  }
+
+  /// Of the innermost model around the cursor, and of models in it; of SRDF those of its robot.
   void names(author::NameKinds kinds) {
     Analysis& readable = document_.readable(state_.environment());
-    const std::uint32_t at = document_.to_readable(offset_);
-    for (const std::string& name : fitting(readable.names().visible(
-             readable.path(), readable.is_template() ? UINT32_MAX : at, kinds)))
-      add(name, ItemKind::kReference, name);
-    if (kinds.has(author::NameKind::kFrame) || element() == "parent") {
-      for (const std::string_view name : {"world", "__model__"}) {
-        if (root() == "sdf") add(name, ItemKind::kReference, name);
-      }
+    if (is_srdf_) add_robots(readable.names(), workspace_files(state_, document_));
+    const std::uint32_t at =
+        readable.is_template() ? UINT32_MAX : document_.to_readable(scope_offset());
+    const std::string_view own = own_name();
+    for (const std::string& name : fitting(readable.names().visible(readable.path(), at, kinds))) {
+      const bool is_own = !own.empty() && name.starts_with(own) &&
+                          (name.size() == own.size() ||
+                           std::string_view(name).substr(own.size()).starts_with("::"));
+      if (!is_own) add(name, ItemKind::kReference, name);
     }
+    if (root() != "sdf" || !kinds.has(author::NameKind::kFrame)) return;
+    // The world is a frame of a world; in a model it is only a parent of joints. Older consumers do not take a model
+    // as the end of a joint.
+    const bool is_end = is_joint_end("parent") || is_joint_end("child");
+    const bool in_model = is_in_model();
+    if (in_model && !is_end) add("__model__", ItemKind::kReference, "__model__");
+    if (in_model ? is_joint_end("parent") : !is_joint_end("child"))
+      add("world", ItemKind::kReference, "world");
+  }
+
+  bool is_joint_end(std::string_view end) const {
+    return root() == "sdf" && element() == end && parent() == "joint";
+  }
+
+  /// The pose of a model is one in the scope around the model.
+  bool is_pose_of_model() const { return element() == "pose" && parent() == "model"; }
+
+  bool is_in_model() const {
+    return std::count(path_.begin(), path_.end(), "model") > (is_pose_of_model() ? 1 : 0);
+  }
+
+  std::uint32_t scope_offset() const {
+    if (!is_pose_of_model()) return offset_;
+    const std::string_view model = cursor_.open[cursor_.open.size() - 2].name;
+    return static_cast<std::uint32_t>(model.data() - document_.text().data()) - 1;
+  }
+
+  /// Of what is placed or connected here, which cannot refer to itself.
+  std::string_view own_name() const {
+    static constexpr std::string_view kPlaced[] = {"link", "joint", "frame", "model"};
+    const auto name_of = [](const OpenElement& open) { return attribute_in(open.tag, "name"); };
+    if (element() == "mimic") {
+      const auto joint = std::find_if(cursor_.open.rbegin(), cursor_.open.rend(),
+                                      [](const OpenElement& open) { return open.name == "joint"; });
+      return joint == cursor_.open.rend() ? std::string_view() : name_of(*joint);
+    }
+    if (root() != "sdf") return {};  // where a link may have the name of a joint
+    if (element() == "frame") return name_of(cursor_.open.back());
+    const bool is_of_parent =
+        element() == "pose" || is_joint_end("parent") || is_joint_end("child");
+    const bool is_placed =
+        std::find(std::begin(kPlaced), std::end(kPlaced), parent()) != std::end(kPlaced);
+    return is_of_parent && is_placed ? name_of(cursor_.open[cursor_.open.size() - 2])
+                                     : std::string_view();
   }
 
   /// Of more names than anybody reads those that what was typed may become, which begin with it first. The client
@@ -356,6 +459,7 @@ class Completer {
   OpenDocument& document_;
   std::uint32_t offset_;
   XmlCursor cursor_;
+  bool is_srdf_;
   std::vector<std::string_view> path_;
   std::string_view version_;
   std::vector<author::TemplateName> names_;

@@ -12,6 +12,7 @@
 #include <rigor/lsp/answer/edits_json.h>
 #include <rigor/lsp/answer/name_lookup.h>
 #include <rigor/lsp/answer/uri_at.h>
+#include <rigor/lsp/document/srdf_elements.h>
 #include <rigor/text/path.h>
 
 namespace rigor::lsp {
@@ -46,14 +47,6 @@ Span defining_span(Analysis& analysis, const author::EntityId& id) {
   const author::NamedEntity& entity = analysis.names().entity(id);
   const Span where = entity.where.nowhere() ? entity.element : entity.where;
   return written_place(analysis, analysis.names().file(id.path), where);
-}
-
-bool is_srdf(const std::string& path) { return extension(path) == ".srdf"; }
-
-void add_robots(author::NameGraph& graph, const std::vector<std::string>& files) {
-  for (const std::string& path : files) {
-    if (extension(path) == ".urdf" || extension(path) == ".xacro") graph.add_robot(path);
-  }
 }
 
 }  // namespace

@@ -115,4 +115,10 @@ std::vector<std::string> workspace_files(const State& state, const OpenDocument&
   return files_of_workspace(state, document).models;
 }
 
+void add_robots(author::NameGraph& graph, const std::vector<std::string>& files) {
+  for (const std::string& path : files) {
+    if (extension(path) == ".urdf" || extension(path) == ".xacro") graph.add_robot(path);
+  }
+}
+
 }  // namespace rigor::lsp

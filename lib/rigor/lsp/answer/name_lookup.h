@@ -46,6 +46,9 @@ author::WorkspaceFiles files_of_workspace(const State& state, const OpenDocument
 /// Its models and templates, and the documents that are open.
 std::vector<std::string> workspace_files(const State& state, const OpenDocument& document);
 
+/// Those of the files that may be robots: an SRDF refers to one by its name.
+void add_robots(author::NameGraph& graph, const std::vector<std::string>& files);
+
 /// Where a use is written: itself, or the place in a template that it was made of; nowhere when an expression
 /// makes the name.
 Span written_place(Analysis& analysis, const read::File& file, Span where);
