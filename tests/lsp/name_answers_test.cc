@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <rigor/text/disk.h>
 
 #include "lsp/editor.h"
@@ -160,6 +162,50 @@ TEST(LspNames, NamesOfTemplatesAreRenamedWhereTheyMeanTheSame) {
                       "parent='torso'");
   EXPECT_EQ(renamed("link name='base'", 11, "torso"), expected);
   EXPECT_NE(renamed("property name='radius'", 16, "2x").find("-32803"), std::string::npos);
+}
+
+TEST(LspNames, ANameThatAMacroComposesIsDefinedInTheMacro) {
+  const std::string macros =
+      "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
+      "<xacro:macro name='leg' params='side'>\n"
+      "<link name='${side}_foot'/>\n"
+      "<joint name='${side}_ankle' type='fixed'>\n"
+      "<parent link='base'/>\n"
+      "<child link='${side}_foot'/>\n"
+      "</joint>\n</xacro:macro>\n</robot>\n";
+  const std::string robot =
+      "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
+      "<xacro:include filename='macros.xacro'/>\n<link name='base'/>\n"
+      "<xacro:leg side='l'/>\n<xacro:leg side='r'/>\n"
+      "<gazebo reference='l_foot'/>\n</robot>\n";
+  MemoryDisk disk(test::Files{{"/ws/macros.xacro", macros}, {"/ws/r.urdf.xacro", robot}});
+  Editor editor(disk);
+  editor.open("/ws/r.urdf.xacro", robot);
+  editor.open("/ws/macros.xacro", macros);
+  const Json link = {
+      {"uri", "file:///ws/macros.xacro"},
+      {"range",
+       {{"start", {{"line", 2}, {"character", 12}}}, {"end", {{"line", 2}, {"character", 24}}}}}};
+  const auto definition = [&](const std::string& path, const std::string& mark, std::size_t moved) {
+    return editor.request("textDocument/definition", editor.at(path, mark, moved));
+  };
+  EXPECT_EQ(definition("/ws/r.urdf.xacro", "'l_foot'", 3), link);
+  EXPECT_EQ(definition("/ws/macros.xacro", "child link='${side}_foot'", 21), Json::array({link}));
+  EXPECT_EQ(definition("/ws/macros.xacro", "link name='${side}_foot'", 20), Json::array({link}));
+  // Itself, the child of the joint, and the reference to one of the two links.
+  const auto lines = [](const Json& places) {
+    std::set<std::string> found;
+    for (const Json& place : places)
+      found.insert(place["uri"].get<std::string>().substr(11) + ":" +
+                   place["range"]["start"]["line"].dump());
+    return found;
+  };
+  Json params = editor.at("/ws/macros.xacro", "link name='${side}_foot'", 20);
+  params["context"] = {{"includeDeclaration", true}};
+  EXPECT_EQ(lines(editor.request("textDocument/references", params)),
+            (std::set<std::string>{"macros.xacro:2", "macros.xacro:5", "r.urdf.xacro:5"}));
+  params["newName"] = "paw";
+  EXPECT_TRUE(editor.request("textDocument/rename", params).is_null());
 }
 
 TEST(LspNames, ARenameReachesControllersAndAsksForWhatMayBeTheName) {

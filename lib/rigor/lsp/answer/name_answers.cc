@@ -3,6 +3,7 @@
 //
 // Definition, references, highlights and renaming.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,7 +47,24 @@ Json location_json(const State& state, const Sources& sources, Span where) {
 Span defining_span(Analysis& analysis, const author::EntityId& id) {
   const author::NamedEntity& entity = analysis.names().entity(id);
   const Span where = entity.where.nowhere() ? entity.element : entity.where;
-  return written_place(analysis, analysis.names().file(id.path), where);
+  return written_or_composed(analysis, analysis.names().file(id.path), where);
+}
+
+/// Each place once: those of one expression may be of several names.
+void add_new(Json& list, Json location) {
+  if (std::find(list.begin(), list.end(), location) == list.end())
+    list.push_back(std::move(location));
+}
+
+/// Where the links and joints are defined whose name an expression composes; null for none.
+Json composed_definitions(const State& state, const Cursor& cursor) {
+  Json list = Json::array();
+  const auto files = workspace_files(state, cursor.document);
+  for (const NameAt& name : composed_names_at(cursor.analysis, cursor.offset, files)) {
+    const Span where = defining_span(cursor.analysis, std::get<author::EntityId>(name.name));
+    if (!where.nowhere()) add_new(list, location_json(state, cursor.analysis.sources(), where));
+  }
+  return list.empty() ? Json() : list;
 }
 
 }  // namespace
@@ -60,7 +78,7 @@ Json definition(State& state, const Json& params) {
   if (is_srdf(cursor.document.path()))
     add_robots(cursor.analysis.names(), workspace_files(state, cursor.document));
   const auto name = name_at(cursor.analysis, cursor.offset);
-  if (!name) return nullptr;
+  if (!name) return composed_definitions(state, cursor);
   if (const auto* entity = std::get_if<author::EntityId>(&name->name)) {
     const Span where = defining_span(cursor.analysis, *entity);
     if (where.nowhere()) return nullptr;
@@ -78,13 +96,19 @@ Json references(State& state, const Json& params) {
   Analysis fresh(state.environment(), cursor.analysis.path(), std::string(cursor.analysis.text()));
   const std::vector<std::string> files = workspace_files(state, cursor.document);
   add_robots(fresh.names(), files);
-  const auto name = name_at(fresh, cursor.offset);
+  std::vector<NameAt> names;
+  if (auto name = name_at(fresh, cursor.offset)) {
+    names.push_back(*std::move(name));
+  } else {
+    names = composed_names_at(fresh, cursor.offset, files);
+  }
   Json list = Json::array();
-  if (!name) return list;
   const bool with_definition = flag_at(params, "context", "includeDeclaration");
-  for (const NamePlace& place : places_of(fresh, *name, files)) {
-    if (with_definition || !place.defines)
-      list.push_back(location_json(state, fresh.sources(), place.where));
+  for (const NameAt& name : names) {
+    for (const NamePlace& place : places_of(fresh, name, files)) {
+      if (with_definition || !place.defines)
+        add_new(list, location_json(state, fresh.sources(), place.where));
+    }
   }
   return list;
 }

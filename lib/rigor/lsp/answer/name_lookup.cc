@@ -27,6 +27,19 @@ std::optional<NameAt> template_name_at(Analysis& analysis, std::uint32_t offset)
   return std::nullopt;
 }
 
+/// Of a value or a text with an expression.
+bool is_composed_at(const xml::Document& document, std::uint32_t offset) {
+  const auto element = document.element_at(offset);
+  if (!element) return false;
+  const auto composes = [offset](std::string_view value, Span where) {
+    return contains(where, offset) && value.find('$') != std::string_view::npos;
+  };
+  for (const xml::Attribute attribute : element->attributes()) {
+    if (composes(attribute.value(), attribute.value_span())) return true;
+  }
+  return composes(element->text(), element->text_span());
+}
+
 std::optional<NameAt> entity_at(Analysis& analysis, std::uint32_t offset) {
   const read::File& file = analysis.file();
   std::optional<NameAt> best;
@@ -53,11 +66,38 @@ Span written_place(Analysis& analysis, const read::File& file, Span where) {
   return {};
 }
 
+Span written_or_composed(Analysis& analysis, const read::File& file, Span where) {
+  const Span written = written_place(analysis, file, where);
+  if (!written.nowhere() || !file.expanded) return written;
+  return file.expanded->origin(*file.document, where, analysis.sources()).where;
+}
+
 std::optional<NameAt> name_at(Analysis& analysis, std::uint32_t offset) {
   if (analysis.is_template()) {
     if (auto name = template_name_at(analysis, offset)) return name;
   }
   return entity_at(analysis, offset);
+}
+
+std::vector<NameAt> composed_names_at(Analysis& analysis, std::uint32_t offset,
+                                      const std::vector<std::string>& files) {
+  std::vector<NameAt> names;
+  if (!analysis.is_template() || !is_composed_at(analysis.written(), offset)) return names;
+  const std::string own = normalize_path(analysis.path());
+  const Sources& sources = analysis.sources();
+  std::vector<std::string> all = files;
+  all.push_back(analysis.path());
+  for (const std::string& path : all) {
+    const read::File& file = analysis.names().file(path);
+    if (!file.expanded) continue;
+    for (const author::NameUse& use : analysis.names().uses(path)) {
+      const Span where = written_or_composed(analysis, file, use.where);
+      if (where.nowhere() || !contains(where, offset)) continue;
+      if (normalize_path(sources.path(where.source)) != own) continue;
+      names.push_back({where, std::string(sources.bytes(where)), use.target});
+    }
+  }
+  return names;
 }
 
 std::vector<NamePlace> places_of(Analysis& analysis, const NameAt& name,
@@ -93,7 +133,7 @@ std::vector<NamePlace> places_of(Analysis& analysis, const NameAt& name,
   for (const std::string& path : all) {
     const read::File& file = analysis.names().file(path);
     for (const author::NameUse& use : analysis.names().uses(path)) {
-      if (use.target == target) add(written_place(analysis, file, use.where), use.defines);
+      if (use.target == target) add(written_or_composed(analysis, file, use.where), use.defines);
     }
   }
   return places;

@@ -33,7 +33,13 @@ struct NameAt {
 /// The name that a byte offset of the written document is in; nothing where none is known.
 std::optional<NameAt> name_at(Analysis& analysis, std::uint32_t offset);
 
-/// Its places in a file and those that the file leads to; spans are of the analysis' sources.
+/// Entities whose name an expression at the offset composes: of `${side}_wheel` in a macro, each that a call makes.
+/// `files` are those that may call it.
+std::vector<NameAt> composed_names_at(Analysis& analysis, std::uint32_t offset,
+                                      const std::vector<std::string>& files);
+
+/// Its places in a file and those that the file leads to, and expressions that compose it; spans are of the analysis'
+/// sources.
 std::vector<NamePlace> places_of(Analysis& analysis, const NameAt& name,
                                  const std::vector<std::string>& files);
 
@@ -50,7 +56,10 @@ std::vector<std::string> workspace_files(const State& state, const OpenDocument&
 void add_robots(author::NameGraph& graph, const std::vector<std::string>& files);
 
 /// Where a use is written: itself, or the place in a template that it was made of; nowhere when an expression
-/// makes the name.
+/// composes the name.
 Span written_place(Analysis& analysis, const read::File& file, Span where);
+
+/// The same; when an expression composes the name, that.
+Span written_or_composed(Analysis& analysis, const read::File& file, Span where);
 
 }  // namespace rigor::lsp
