@@ -135,6 +135,18 @@ TEST_F(BashCompletion, OffersFilesAndFolders) {
             (std::set<std::string>{"my robot"}));
 }
 
+TEST_F(BashCompletion, OffersFilesBehindAVerb) {
+  folder_.put("robot.urdf", "");
+  folder_.put("notes.txt", "");
+  EXPECT_EQ(bash_offers(folder_, "rigor edit lu"), (std::set<std::string>{"lump"}));
+  EXPECT_EQ(bash_offers(folder_, "rigor edit lump ro"), (std::set<std::string>{"robot.urdf"}));
+  EXPECT_EQ(bash_offers(folder_, "rigor edit rename a b ro"),
+            (std::set<std::string>{"robot.urdf"}));
+  EXPECT_EQ(bash_offers(folder_, "rigor edit --write re"),
+            (std::set<std::string>{"remove", "reroot", "rename"}));
+  EXPECT_EQ(bash_offers(folder_, "rigor edit rename --wr"), (std::set<std::string>{"--write"}));
+}
+
 TEST(ShellCompletion, ShellsTakeTheirScripts) {
   const Folder folder;
   for (const std::string shell : {"bash", "zsh", "fish"}) {

@@ -22,6 +22,16 @@ std::string bash_answer(const OptionFacts& option, const CommandFacts& command,
   }
 }
 
+/// What the positionals of a command are completed with.
+std::string bash_positionals(const CommandFacts& command, const CompletionFacts& facts) {
+  if (command.positionals.empty()) return "words=''";
+  const std::string first = bash_answer(command.positionals.front(), command, facts);
+  const OptionFacts* rest = behind_verb(command);
+  if (rest == nullptr) return first;
+  return fmt::format("{}\n      if _rigor_has_one_of \"$words\"; then words='' {}; fi", first,
+                     bash_answer(*rest, command, facts));
+}
+
 std::string bash_cases(const CompletionFacts& facts) {
   std::string text;
   for (const CommandFacts& command : facts.commands) {
@@ -38,17 +48,25 @@ std::string bash_cases(const CompletionFacts& facts) {
     for (const OptionFacts& option : command.options) {
       flags.insert(flags.end(), option.flags.begin(), option.flags.end());
     }
-    const std::string positional = command.positionals.empty()
-                                       ? "words=''"
-                                       : bash_answer(command.positionals.front(), command, facts);
     text += fmt::format("    '{} '*) flags='{}' {} ;;\n", command.name, joined_words(flags),
-                        positional);
+                        bash_positionals(command, facts));
   }
   return text;
 }
 
 constexpr std::string_view kBashBegin =
     R"bash(# bash completion for rigor, as `rigor completion bash` prints it
+
+# Whether one of the words is given before the one that is completed.
+_rigor_has_one_of() {
+  local word given
+  for word in $1; do
+    for given in "${COMP_WORDS[@]:2:COMP_CWORD-2}"; do
+      [[ $given == "$word" ]] && return 0
+    done
+  done
+  return 1
+}
 
 _rigor() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}

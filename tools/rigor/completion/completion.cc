@@ -74,7 +74,8 @@ ValueKind value_kind(const OptionFacts& option) {
   if (value == "RULE,...") return ValueKind::kRules;
   if (value == "RULE") return ValueKind::kRule;
   if (value == "DIR") return ValueKind::kFolders;
-  for (const std::string_view file : {"FILE", "PATH", "MODEL", "IN", "A", "B"}) {
+  // What a verb takes are names and files; of names the shell knows none.
+  for (const std::string_view file : {"FILE", "PATH", "MODEL", "IN", "A", "B", "WORD"}) {
     const bool is = value == file || value.starts_with(std::string(file) + '|') ||
                     value.ends_with("|" + std::string(file));
     if (is && (value != "A" || option.flags.empty())) return ValueKind::kFiles;
@@ -100,6 +101,12 @@ std::vector<std::string> words_of(const OptionFacts& option, const CommandFacts&
       return {};
     default: return {};
   }
+}
+
+const OptionFacts* behind_verb(const CommandFacts& command) {
+  const bool has_verb = command.positionals.size() > 1 &&
+                        value_kind(command.positionals.front()) == ValueKind::kChoices;
+  return has_verb ? &command.positionals[1] : nullptr;
 }
 
 std::string shell_quoted(std::string_view text) {

@@ -29,6 +29,9 @@ ValueKind value_kind(const OptionFacts& option);
 std::vector<std::string> words_of(const OptionFacts& option, const CommandFacts& command,
                                   const CompletionFacts& facts);
 
+/// Of a command whose first positional is a choice of verbs, that of what comes behind one; null for others.
+const OptionFacts* behind_verb(const CommandFacts& command);
+
 std::string joined_words(const std::vector<std::string>& words);
 
 /// In single quotes, for a shell.

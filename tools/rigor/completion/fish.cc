@@ -15,6 +15,16 @@ std::string fish_line(const CommandFacts& command, const std::string& rest) {
                      rest);
 }
 
+/// Of positionals: with or without a verb before them.
+std::string fish_verb_line(const CommandFacts& command, std::string_view has,
+                           const std::string& rest) {
+  const std::string verbs = joined_words(command.positionals.front().choices);
+  return fmt::format(
+      "complete -c rigor -n '__fish_seen_subcommand_from {}; and {}__fish_seen_subcommand_from "
+      "{}' {}\n",
+      command.name, has, verbs, rest);
+}
+
 std::string fish_value(const OptionFacts& option, const CommandFacts& command,
                        const CompletionFacts& facts) {
   switch (value_kind(option)) {
@@ -51,12 +61,19 @@ std::string fish_command(const CommandFacts& command, const CompletionFacts& fac
     if (!option.value.empty()) rest += fish_value(option, command, facts) + ' ';
     text += fish_line(command, rest + "-d " + fish_quoted(option.description));
   }
-  if (!command.positionals.empty()) {
-    std::string rest = fish_value(command.positionals.front(), command, facts);
+  const auto positional = [&](const OptionFacts& option) {
     // -x and -r refer to an option's value.
-    rest = rest == "-x" ? "" : rest.substr(3);
-    if (!rest.empty()) text += fish_line(command, rest);
-  }
+    const std::string value = fish_value(option, command, facts);
+    return value == "-x" ? std::string() : value.substr(3);
+  };
+  if (command.positionals.empty()) return text;
+  const std::string first = positional(command.positionals.front());
+  if (first.empty()) return text;
+  const OptionFacts* rest = behind_verb(command);
+  if (rest == nullptr) return text + fish_line(command, first);
+  text += fish_verb_line(command, "not ", first);
+  if (const std::string files = positional(*rest); !files.empty())
+    text += fish_verb_line(command, "", files);
   return text;
 }
 
