@@ -359,6 +359,18 @@ TEST_F(Cli, OutputOfAFileNameIsAnsweredWithDashO) {
   EXPECT_TRUE(has(ran.err, "did you mean -o")) << ran.err;
 }
 
+/// Commands without reports have only -o, and some of them need it.
+TEST_F(Cli, OutputOfACommandWithoutReportsIsAnsweredWithDashO) {
+  for (const char* arguments :
+       {"edit rename a b good.sdf", "upgrade good.sdf", "expand good.sdf", "srdf good.sdf",
+        "view good.sdf", "render good.sdf", "report good.sdf"}) {
+    const Ran ran = rigor(std::string(arguments) + " --output robot.urdf");
+    EXPECT_EQ(ran.exit, 2) << arguments;
+    EXPECT_EQ(ran.err, "rigor: unknown option --output; did you mean \"-o\"?\n") << arguments;
+  }
+  EXPECT_EQ(rigor("render good.sdf").err, "rigor: --out is required\n");
+}
+
 TEST_F(Cli, DashIsStdin) {
   const Ran unnamed = rigor("validate - --format json", "cat bad.sdf |");
   EXPECT_EQ(unnamed.exit, 1) << unnamed.err;

@@ -42,26 +42,42 @@ constexpr std::string_view kGreeting =
   rigor validate my_robot  check every model and mesh in a folder; `rigor help COMMAND` has more examples
 )";
 
+const CLI::App& chosen_command(const CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  return chosen.empty() ? program : *chosen.front();
+}
+
+std::string unknown_option(const CLI::App& app, const std::string& word) {
+  const std::string bare = word.substr(0, word.find('='));
+  const std::string text = "unknown option " + bare;
+  // Commands that write reports have both: --output takes a format, and -o a file.
+  if (bare == "--output" && app.get_option_no_throw("--out") != nullptr)
+    return text + "; did you mean \"-o\"?";
+  std::vector<std::string> names;
+  for (const CLI::Option* each : app.get_options()) {
+    for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
+  }
+  return text + did_you_mean(bare, {names.begin(), names.end()});
+}
+
 /// The first word that nobody declared, and what it was probably meant to be.
 std::string unknown_word(const CLI::App& program) {
-  const std::vector<CLI::App*> chosen = program.get_subcommands();
-  const CLI::App& app = chosen.empty() ? program : *chosen.front();
+  const CLI::App& app = chosen_command(program);
   const std::vector<std::string> words = program.remaining(true);
   const std::string word = words.empty() ? "" : words.front();
-  const bool option = word.starts_with('-');
+  if (word.starts_with('-')) return unknown_option(app, word);
+  if (&app != &program) return "one argument too many: " + word;
   std::vector<std::string> names;
-  if (option) {
-    for (const CLI::Option* each : app.get_options()) {
-      for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
-    }
-  } else if (chosen.empty()) {
-    for (const CLI::App* each : program.get_subcommands({})) names.push_back(each->get_name());
+  for (const CLI::App* each : program.get_subcommands({})) names.push_back(each->get_name());
+  return "unknown command " + word + did_you_mean(word, {names.begin(), names.end()});
+}
+
+/// What is missing, or the option that was probably meant for it.
+std::string missing_word(const CLI::App& program, const CLI::RequiredError& error) {
+  for (const std::string& word : program.remaining(true)) {
+    if (word.starts_with('-')) return unknown_option(chosen_command(program), word);
   }
-  const std::string kind = option           ? "unknown option "
-                           : chosen.empty() ? "unknown command "
-                                            : "one argument too many: ";
-  const std::string bare = word.substr(0, word.find('='));
-  return kind + bare + did_you_mean(bare, {names.begin(), names.end()});
+  return error.what();
 }
 
 int usage_error(std::string_view message) {
@@ -180,6 +196,8 @@ int run(std::vector<std::string> arguments) {
     return kClean;
   } catch (const CLI::ExtrasError&) {
     return usage_error(unknown_word(program));
+  } catch (const CLI::RequiredError& error) {
+    return usage_error(missing_word(program, error));
   } catch (const CLI::ParseError& error) {
     return usage_error(error.what());
   }
