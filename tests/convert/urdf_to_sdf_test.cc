@@ -481,6 +481,20 @@ TEST(UrdfToSdf, AnEffortOfNanIsNoLimit) {
   EXPECT_FALSE(after.root().joints[0].axes[0].effort.written);
 }
 
+TEST(UrdfToSdf, ACycleIsNamed) {
+  const auto cycle = [](const std::string& more) {
+    const SdfConversion result = to_sdf(robot_xml(
+        more + link_xml("a") + link_xml("b") + link_xml("c") + joint_xml("fixed", "a", "b") +
+        joint_xml("fixed", "b", "c") + joint_xml("fixed", "c", "a")));
+    for (const Note& note : result.account.notes) {
+      if (note.kind == NoteKind::kNoRoot) return note.written;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(cycle(""), "a → b → c → a");
+  EXPECT_EQ(cycle(link_xml("base")), "a → b → c → a");
+}
+
 TEST(UrdfToSdf, RefusesWhatIsNoTree) {
   const auto refused = [](const std::string& content) {
     const SdfConversion result = to_sdf(robot_xml(content));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -51,8 +53,7 @@ class SdfTreeBuilder {
     if (!root) return std::nullopt;
     put_in_order(*root);
     if (tree_.order.size() != root_.links.size()) {
-      const model::Model& robot = root_.models[0];
-      refuse(NoteKind::kNoRoot, robot.site.name, model::subject(root_, robot), unreached());
+      refuse_cycle(unreached());
       return std::nullopt;
     }
     find_needed_joints();
@@ -106,9 +107,28 @@ class SdfTreeBuilder {
     if (roots.size() > kMaxSdfRootsReported) names += ", …";
     if (roots.size() == 1) return roots[0];
     const model::Model& robot = root_.models[0];
-    refuse(roots.empty() ? NoteKind::kNoRoot : NoteKind::kSeveralRoots, robot.site.name,
-           model::subject(root_, robot), std::move(names), std::max<std::size_t>(roots.size(), 1));
+    if (roots.empty()) {
+      refuse_cycle({0});
+    } else {
+      refuse(NoteKind::kSeveralRoots, robot.site.name, model::subject(root_, robot),
+             std::move(names), roots.size());
+    }
     return std::nullopt;
+  }
+
+  /// Of the cycle that is above a link.
+  void refuse_cycle(Id<Link> below) {
+    std::set<std::uint32_t> above;
+    while (above.insert(below.value).second) below = node(below).parent;
+    std::string names = root_[below].name.value;
+    std::size_t count = 1;
+    for (Id<Link> link = node(below).parent; link != below; link = node(link).parent) {
+      if (count++ < kMaxSdfRootsReported) names = root_[link].name.value + " → " + names;
+    }
+    if (count > kMaxSdfRootsReported) names = "… → " + names;
+    const model::Model& robot = root_.models[0];
+    refuse(NoteKind::kNoRoot, robot.site.name, model::subject(root_, robot),
+           root_[below].name.value + " → " + names);
   }
 
   /// What a cycle beside the tree holds is not reached.
@@ -123,14 +143,12 @@ class SdfTreeBuilder {
     }
   }
 
-  std::string unreached() const {
+  /// One of the links that are not in the tree.
+  Id<Link> unreached() const {
     std::vector<bool> reached(root_.links.size());
     for (const Id<Link> id : tree_.order) reached[id.value] = true;
-    std::string names;
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      if (!reached[i]) names += (names.empty() ? "" : ", ") + root_.links[i].name.value;
-    }
-    return names;
+    const auto first = std::find(reached.begin(), reached.end(), false);
+    return {static_cast<std::uint32_t>(first - reached.begin())};
   }
 
   /// Fixed joints that a block measures at, or, when joints are lumped, wants to be kept.

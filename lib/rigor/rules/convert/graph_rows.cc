@@ -27,7 +27,7 @@ std::span<const Row> graph_rows() {
        .why = "A URDF robot is one tree. What was free to move apart is now one rigid base.",
        .what_to_do = "Mind it wherever the robot is simulated."},
       {.rule = {"convert-no-root", NoteKind::kNoRoot, Severity::kError},
-       .message = "every link is a child of a joint ({written}): there is no root",
+       .message = "the joints form a cycle without a root: {written}",
        .summary = "the joints form a cycle without a root",
        .why = "Every link is the child of some joint, so none can be the root that a URDF begins "
               "with.",
