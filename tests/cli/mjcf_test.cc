@@ -59,6 +59,16 @@ TEST_F(MjcfCli, ARobotComesBackAsItWent) {
   EXPECT_NE(ran.err.find("rigor: 1 difference\n"), std::string::npos) << ran.out << ran.err;
 }
 
+TEST_F(MjcfCli, AModelThatIsNotThereIsAWrongInvocation) {
+  EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf -o out.xml --format concise").exit, 0);
+  for (const char* command : {"mjcf2urdf", "mjcf2sdf"}) {
+    const Ran ran = folder.rigor(std::string(command) + " out.xml --model tipp");
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_EQ(ran.out, "");
+    EXPECT_NE(ran.err.find("did you mean \"tip\"?"), std::string::npos) << ran.err;
+  }
+}
+
 TEST_F(MjcfCli, ARobotWithoutLinksIsNone) {
   folder.put("none.urdf", "<robot name='none'/>");
   const Ran ran = folder.rigor("urdf2mjcf none.urdf -o none.xml --format concise");
@@ -129,7 +139,7 @@ TEST_F(MjcfCli, WritesUrdfAndSdfOfMjcf) {
   EXPECT_EQ(sdf.exit, 0) << sdf.err;
   EXPECT_NE(sdf.out.find("<ellipsoid>"), std::string::npos) << sdf.out;
   EXPECT_EQ(folder.rigor("mjcf2urdf arm.xml --check arm.urdf").exit, 0);
-  EXPECT_EQ(folder.rigor("mjcf2sdf arm.xml --model leg").exit, 1);
+  EXPECT_EQ(folder.rigor("mjcf2sdf arm.xml --model leg").exit, 2);
   const Ran wrong = folder.rigor("mjcf2sdf arm.sdf");
   EXPECT_EQ(wrong.exit, 1);
   EXPECT_NE(wrong.err.find("holds no MJCF"), std::string::npos) << wrong.err;

@@ -3,6 +3,14 @@
 //
 // `rigor mjcf2urdf` and `rigor mjcf2sdf`: a robot of MuJoCo for ROS and Gazebo.
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/robot/robot.h>
+
+#include "command/command.h"
 #include "model/conversion.h"
 #include "option/numbers.h"
 
@@ -65,6 +73,7 @@ class FromMjcf final : public Command {
     return common_.run([&](const Environment& environment, Sources& sources,
                            read::Workspace& workspace, const read::Loaded& loaded,
                            const author::ConversionOptions& options) {
+      require_body(loaded.root);
       return is_urdf()
                  ? author::from_mjcf_to_urdf(environment, sources, workspace, loaded, how, options)
                  : author::from_mjcf_to_sdf(environment, sources, workspace, loaded, how, options);
@@ -72,6 +81,17 @@ class FromMjcf final : public Command {
   }
 
  private:
+  /// A UsageError when a body is asked for, and none has that name.
+  void require_body(const model::Root& root) const {
+    if (how_.body.empty()) return;
+    std::vector<std::string_view> names;
+    for (const model::Link& link : root.links) {
+      if (link.name.value != robot::kWorldBody) names.push_back(link.name.value);
+    }
+    if (std::find(names.begin(), names.end(), how_.body) != names.end()) return;
+    throw UsageError("unknown --model \"" + how_.body + '"' + did_you_mean(how_.body, names));
+  }
+
   bool is_urdf() const { return to_ == model::Format::kUrdf; }
 
   void set_mesh_uri(convert::FromMjcfOptions& how) const {
