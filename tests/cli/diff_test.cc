@@ -123,6 +123,20 @@ TEST_F(DiffCli, WhatIsToldToSimulators) {
   EXPECT_EQ(json::parse(diff("a.urdf a.sdf --format json").out)["not_compared"], json::array());
 }
 
+TEST_F(DiffCli, AColorThatOnlyOneHasIsReported) {
+  const std::string head =
+      "<robot name=\"r\"><material name=\"tex\"><texture filename=\"t.png\"/>"
+      "</material><link name=\"a\"><visual name=\"v\"><geometry><sphere "
+      "radius=\"1\"/></geometry>";
+  const std::string end = "</visual></link></robot>";
+  folder_.put("red.urdf", head + "<material name=\"m\"><color rgba=\"1 0 0 1\"/></material>" + end);
+  folder_.put("none.urdf", head + end);
+  folder_.put("texture.urdf", head + "<material name=\"tex\"/>" + end);
+  EXPECT_EQ(diff("red.urdf none.urdf").out, "none.urdf:1: visual a/v: color removed: 1 0 0 1\n");
+  EXPECT_EQ(diff("none.urdf red.urdf").out, "red.urdf:1: visual a/v: color added: 1 0 0 1\n");
+  EXPECT_EQ(diff("red.urdf texture.urdf").out, "") << "the color of a texture is not known";
+}
+
 /// A mesh is one file, whether its model is named by a relative path or by a whole one.
 TEST_F(DiffCli, AMeshIsOneFileFromTwoPlaces) {
   folder_.put("w.stl", "solid w\nendsolid w\n");

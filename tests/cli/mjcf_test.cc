@@ -53,10 +53,12 @@ TEST_F(MjcfCli, ARobotComesBackAsItWent) {
   EXPECT_NE(folder.get("out/arm.xml").find("file=\"a.stl\""), std::string::npos);
   EXPECT_FALSE(exists("out/assets/a_2.stl"));
   EXPECT_EQ(folder.rigor("mjcf2sdf out/arm.xml -o out/arm.sdf").exit, 0);
-  // What was told to be lost differs, and nothing else.
+  // What was told to be lost differs, and that a geom is gray by default; nothing else.
   const Ran ran = folder.rigor("diff arm.sdf out/arm.sdf");
   EXPECT_NE(ran.out.find("joint elbow: velocity 2 rad/s"), std::string::npos) << ran.out;
-  EXPECT_NE(ran.err.find("rigor: 1 difference\n"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("visual hull/visual: color added: 0.5 0.5 0.5 1"), std::string::npos)
+      << ran.out;
+  EXPECT_NE(ran.err.find("rigor: 2 differences\n"), std::string::npos) << ran.out << ran.err;
 }
 
 TEST_F(MjcfCli, AModelThatIsNotThereIsAWrongInvocation) {

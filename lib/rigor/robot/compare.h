@@ -46,6 +46,8 @@ struct Correspondence {
   bool from_world = false;
   /// Stands in B for an effort, velocity or position without a limit.
   double unlimited = std::numeric_limits<double>::infinity();
+  /// Whether both are of one format: then a visual without a material has no color, and not the format's default.
+  bool one_format = false;
   Helpers helpers = Helpers::kIgnored;
   Placement placement = Placement::kIgnored;
 };

@@ -92,11 +92,18 @@ class ShapeComparer {
       d.angle = off.angle;
     }
     compare_shape(x.shape, y.shape, add);
-    if (x.color && y.color && !same_robot_color(*x.color, *y.color)) {
+    if (differ_in_color(x, y)) {
       Difference& d = add(DifferenceKind::kColor);
-      d.from.numbers = {x.color->r, x.color->g, x.color->b, x.color->a};
-      d.to.numbers = {y.color->r, y.color->g, y.color->b, y.color->a};
+      if (x.color) d.from.numbers = {x.color->r, x.color->g, x.color->b, x.color->a};
+      if (y.color) d.to.numbers = {y.color->r, y.color->g, y.color->b, y.color->a};
     }
+  }
+
+  /// A material whose color is unknown may have that of the other.
+  bool differ_in_color(const Part& x, const Part& y) const {
+    if (x.color && y.color) return !same_robot_color(*x.color, *y.color);
+    if (!c_.names.one_format) return false;
+    return (x.color && !y.has_material) || (y.color && !x.has_material);
   }
 
   template <class Add>

@@ -261,7 +261,9 @@ class RobotBuilder {
       }
       for (const auto id : link.visuals) {
         body.visuals.push_back(part(id, "visual", body.name, X_BL, X_ML_[i]));
-        if (lookups_.color_of) body.visuals.back().color = lookups_.color_of(id);
+        Part& visual = body.visuals.back();
+        if (lookups_.color_of) visual.color = lookups_.color_of(id);
+        visual.has_material = root_[id].material.written || visual.color.has_value();
       }
     }
   }

@@ -63,6 +63,7 @@ struct Part {
   model::Pose X_BS;  ///< in the body's frame
   Shape shape;
   std::optional<Color> color;  ///< of a visual, when one is known
+  bool has_material = false;   ///< of a visual; its color may be unknown
   Span span;
 };
 

@@ -64,7 +64,8 @@ class Diff final : public Command {
     if (!model_.empty() && a->name != model_ && b->name != model_) {
       throw UsageError("no model is called " + model_ + did_you_mean(model_, {a->name, b->name}));
     }
-    const robot::Correspondence all{.helpers = robot::Helpers::kReported,
+    const robot::Correspondence all{.one_format = loaded_a.root.format == loaded_b.root.format,
+                                    .helpers = robot::Helpers::kReported,
                                     .placement = robot::Placement::kReported};
     std::vector<robot::Difference> differences = robot::compare(*a, *b, all);
     const auto settings = files.settings(loaded_a, model_, loaded_b, model_);

@@ -147,6 +147,13 @@ std::string setting_in_words(const Difference& d) {
   return fmt::format("{} {} → {}", d.what, side(d.from.text), side(d.to.text));
 }
 
+std::string color_in_words(const Difference& d) {
+  if (!d.from.numbers.empty() && !d.to.numbers.empty()) return value_in_words("color", d);
+  const bool removed = d.to.numbers.empty();
+  return fmt::format("color {}: {}", removed ? "removed" : "added",
+                     list_in_words(removed ? d.from.numbers : d.to.numbers, 6));
+}
+
 }  // namespace
 
 std::string in_words(const Difference& d) {
@@ -198,7 +205,7 @@ std::string in_words(const Difference& d) {
     case DifferenceKind::kSize:
       return value_in_words(d.from.text == "mesh" ? "scale of mesh" : "size of " + d.from.text, d);
     case DifferenceKind::kMesh: return "mesh " + d.from.text + " → " + d.to.text;
-    case DifferenceKind::kColor: return value_in_words("color", d);
+    case DifferenceKind::kColor: return color_in_words(d);
     case DifferenceKind::kTotalMass: return value_in_words("total mass", d);
     case DifferenceKind::kTotalFirst: return value_in_words("total first moment of mass", d);
     case DifferenceKind::kTotalSecond: return value_in_words("total moment of inertia", d);
