@@ -137,6 +137,25 @@ TEST_F(DiffCli, AColorThatOnlyOneHasIsReported) {
   EXPECT_EQ(diff("red.urdf texture.urdf").out, "") << "the color of a texture is not known";
 }
 
+/// MJCF is compared as far as it is read.
+TEST_F(DiffCli, OfMjcfItIsSaidWhatIsNotCompared) {
+  const std::string plain =
+      "<mujoco><worldbody><body name=\"a\"><freejoint/><geom name=\"g\" "
+      "size=\".1\"/><site name=\"s\"/></body></worldbody>";
+  folder_.put("plain.xml", plain + "</mujoco>");
+  folder_.put("gyro.xml", plain + "<sensor><gyro name=\"g\" site=\"s\"/></sensor></mujoco>");
+  EXPECT_EQ(diff("plain.xml plain.xml").err, "");
+  const Ran ran = diff("gyro.xml plain.xml");
+  EXPECT_EQ(ran.exit, 0);
+  EXPECT_NE(ran.err.find("rigor: both are MJCF, so not compared: "), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("sensors"), std::string::npos) << ran.err;
+  EXPECT_EQ(json::parse(diff("gyro.xml plain.xml --format json").out)["not_compared"].size(), 1U);
+  folder_.put("a.sdf", "<sdf version=\"1.9\"><model name=\"a\"><link name=\"a\"/></model></sdf>");
+  const Ran mixed = diff("gyro.xml a.sdf");
+  EXPECT_NE(mixed.err.find("one is MJCF and one is SDF, so not compared: "), std::string::npos)
+      << mixed.err;
+}
+
 /// A mesh is one file, whether its model is named by a relative path or by a whole one.
 TEST_F(DiffCli, AMeshIsOneFileFromTwoPlaces) {
   folder_.put("w.stl", "solid w\nendsolid w\n");

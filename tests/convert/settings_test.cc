@@ -15,18 +15,22 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+using Compare = std::vector<robot::Difference> (*)(const convert::SettingsSource&,
+                                                   const convert::SettingsSource&);
+
 /// "setting link a gravity: true > false", one for each.
-Lines differences(const std::string& a, const std::string& b) {
+Lines differences(const std::string& a, const std::string& b,
+                  Compare compare = convert::compare_settings) {
   const auto path = [](const std::string& text) {
+    if (text.find("<mujoco") != std::string::npos) return "a.xml";
     return text.find("<sdf") == std::string::npos ? "a.urdf" : "a.sdf";
   };
   const MemoryDisk disk_a(std::map<std::string, std::string>{{path(a), a}});
   const MemoryDisk disk_b(std::map<std::string, std::string>{{path(b), b}});
   const ReadRobot read_a(disk_a, path(a)), read_b(disk_b, path(b));
   Lines lines;
-  for (const auto& d :
-       convert::compare_settings({read_a.loaded.root, read_a.documents, sdf_schema(), {0}},
-                                 {read_b.loaded.root, read_b.documents, sdf_schema(), {0}})) {
+  for (const auto& d : compare({read_a.loaded.root, read_a.documents, sdf_schema(), {0}},
+                               {read_b.loaded.root, read_b.documents, sdf_schema(), {0}})) {
     std::string line = std::string(to_string(d.kind)) + ' ' + (d.a.empty() ? d.b : d.a);
     if (!d.what.empty()) line += ' ' + d.what + ": " + d.from.text + " > " + d.to.text;
     lines.push_back(line);
@@ -88,6 +92,43 @@ type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
   EXPECT_EQ(told(all_differences(urdf, urdf)), Lines{});
   EXPECT_EQ(told(all_differences(urdf, stiffer)), Lines{"spring-stiffness joint j"});
   EXPECT_EQ(differences(urdf, stiffer), Lines{});
+}
+
+Lines further(const std::string& text, const std::string& from, const std::string& to) {
+  return differences(text, with(text, from, to), convert::compare_further_settings);
+}
+
+TEST(Settings, AReviewSeesSoftLimitsTransmissionsAndControl) {
+  const std::string urdf = R"(<robot name="r"><link name="a"/><link name="b"/><joint name="j"
+type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+<safety_controller soft_lower_limit="-1" k_velocity="5"/></joint>
+<transmission name="t"><actuator name="m"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>
+<ros2_control name="s" type="system"><hardware><plugin>p</plugin></hardware></ros2_control></robot>)";
+  EXPECT_EQ(further(urdf, "r", "r"), Lines{});
+  EXPECT_EQ(further(urdf, "\"-1\"", "\"-0.5\""),
+            Lines{"setting joint j safety_controller/soft_lower_limit: -1 > -0.5"});
+  EXPECT_EQ(further(urdf, "50<", "5<"),
+            Lines{"setting transmission t actuator/mechanicalReduction: 50 > 5"});
+  EXPECT_EQ(further(urdf, ">p<", ">q<"), Lines{"setting ros2_control s hardware/plugin: p > q"});
+  EXPECT_EQ(further(urdf, "<ros2_control name=\"s\"", "<ros2_control name=\"x\""),
+            (Lines{"attachment-only-in-a ros2_control s", "attachment-only-in-b ros2_control x"}));
+  EXPECT_EQ(differences(urdf, with(urdf, "\"-1\"", "\"-0.5\"")), Lines{}) << "edits change it";
+}
+
+TEST(Settings, AReviewSeesTheStiffnessOfLimits) {
+  const std::string sdf = R"(<sdf version="1.9"><model name="m"><link name="a"/><link name="b"/>
+<joint name="j" type="revolute"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz>
+<limit><lower>0</lower><upper>1</upper><stiffness>100</stiffness></limit></axis></joint></model></sdf>)";
+  EXPECT_EQ(further(sdf, "100", "1e2"), Lines{});
+  EXPECT_EQ(further(sdf, "100", "200"), Lines{"setting joint j axis/limit/stiffness: 100 > 200"});
+}
+
+TEST(Settings, AReviewSeesArmatureAndFrictionOfMjcf) {
+  const std::string mjcf = R"(<mujoco><default><geom friction="0.7"/></default><worldbody>
+<body name="a"><joint name="j" armature="0.01"/><geom name="g" size="0.1"/></body></worldbody></mujoco>)";
+  EXPECT_EQ(further(mjcf, "0.7", "0.70"), Lines{});
+  EXPECT_EQ(further(mjcf, "0.7", "0.1"), Lines{"setting collision a/g friction: 0.7 > 0.1"});
+  EXPECT_EQ(further(mjcf, "0.01", "0.5"), Lines{"setting joint j armature: 0.01 > 0.5"});
 }
 
 }  // namespace

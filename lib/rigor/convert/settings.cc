@@ -37,6 +37,22 @@ constexpr std::string_view kKnownInBlock[] = {"springReference", "springStiffnes
                                               "preserveFixedJoint", "disableFixedJointLumping",
                                               "canonicalBody"};
 
+/// Of a URDF joint and of the robot.
+constexpr std::string_view kFurtherInJoint[] = {"safety_controller", "calibration"};
+constexpr std::string_view kFurtherInRobot[] = {"transmission", "ros2_control"};
+/// Of the limit of an SDF axis.
+constexpr std::string_view kFurtherInLimit[] = {"stiffness", "dissipation"};
+
+/// Elements of MJCF that may hold what is not compared; an include leads to any.
+constexpr std::string_view kUncomparedInMjcf[] = {"actuator", "contact", "equality", "extension",
+                                                  "include",  "light",   "keyframe", "option",
+                                                  "plugin",   "sensor",  "tendon"};
+
+template <std::size_t Count>
+bool is_one_of(std::string_view name, const std::string_view (&names)[Count]) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
 std::span<const std::string_view> known_in(std::string_view element) {
   if (element == "model") return kKnownInModel;
   if (element == "link") return kKnownInLink;
@@ -83,8 +99,70 @@ class SettingCollector {
     return std::move(found_);
   }
 
+  Settings collect_further() {
+    found_.known.insert("robot");
+    for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
+      const model::Joint& joint = root_.joints[i];
+      if (is_inside(joint.model)) add_further(joint, "joint " + inside(Id<model::Joint>{i}));
+    }
+    if (format() == model::Format::kMjcf) {
+      for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+        if (is_inside(root_.links[i].model)) add_friction({i});
+      }
+    }
+    const model::Site& robot = root_[source_.model].site;
+    if (format() != model::Format::kUrdf || robot.span.nowhere()) return std::move(found_);
+    for (const xml::Element child : source_.documents.element(robot).children()) {
+      if (is_one_of(child.name(), kFurtherInRobot)) add_attachment(child, "robot");
+    }
+    return std::move(found_);
+  }
+
  private:
-  bool is_sdf() const { return root_[source_.model].format == model::Format::kSdf; }
+  model::Format format() const { return root_[source_.model].format; }
+
+  void add_further(const model::Joint& joint, const std::string& subject) {
+    found_.known.insert(subject);
+    if (format() == model::Format::kMjcf) {
+      for (const model::Axis& axis : joint.axes) add_number(axis.armature, subject, "armature");
+      return;
+    }
+    if (joint.site.span.nowhere()) return;
+    for (const xml::Element child : source_.documents.element(joint.site).children()) {
+      const std::string name(child.name());
+      if (is_sdf() && name.starts_with("axis")) add_limit(child, subject, name + "/limit/");
+      if (!is_sdf() && is_one_of(name, kFurtherInJoint)) add_inside(child, subject, name + '/');
+    }
+  }
+
+  void add_limit(xml::Element axis, const std::string& subject, const std::string& path) {
+    const auto limit = axis.child("limit");
+    if (!limit) return;
+    for (const xml::Element child : limit->children()) {
+      if (is_one_of(child.name(), kFurtherInLimit))
+        add(child, subject, path + std::string(child.name()));
+    }
+  }
+
+  void add_friction(Id<model::Link> link) {
+    std::size_t nth = 0;
+    for (const Id<model::Collision> id : root_[link].collisions) {
+      const std::string& name = root_[id].name.value;
+      const std::string subject =
+          "collision " + inside(link) + '/' + (name.empty() ? std::to_string(nth + 1) : name);
+      ++nth;
+      found_.known.insert(subject);
+      add_number(root_[id].surface.mu, subject, "friction");
+    }
+  }
+
+  void add_number(const model::Field<double>& number, const std::string& subject,
+                  const std::string& path) {
+    if (number.written)
+      found_.all.push_back({subject, path, write::joined({number.value}), number.span});
+  }
+
+  bool is_sdf() const { return format() == model::Format::kSdf; }
 
   bool is_inside(Id<model::Model> id) const {
     while (id && id != source_.model) id = root_[id].parent;
@@ -200,6 +278,14 @@ class SettingCollector {
   Settings found_;
 };
 
+/// An element or what is in it; a file is at most xml::kMaxDepth deep.
+bool has_uncompared(xml::Element element) {
+  for (const xml::Element child : element.children()) {
+    if (is_one_of(child.name(), kUncomparedInMjcf) || has_uncompared(child)) return true;
+  }
+  return false;
+}
+
 bool same_setting(const std::string& a, const std::string& b) {
   if (a == b) return true;
   const auto x = write::numbers_in(a), y = write::numbers_in(b);
@@ -281,6 +367,24 @@ std::vector<robot::Difference> compare_settings(const SettingsSource& a, const S
 
 bool has_settings(const SettingsSource& source) {
   return !SettingCollector(source).collect().all.empty();
+}
+
+std::vector<robot::Difference> compare_further_settings(const SettingsSource& a,
+                                                        const SettingsSource& b) {
+  const Settings in_a = SettingCollector(a).collect_further(),
+                 in_b = SettingCollector(b).collect_further();
+  return SettingComparer(in_a, in_b).compare();
+}
+
+bool has_further_settings(const SettingsSource& source) {
+  return !SettingCollector(source).collect_further().all.empty();
+}
+
+bool has_uncompared_settings(const SettingsSource& source) {
+  const model::Model& model = source.root[source.model];
+  if (model.format != model::Format::kMjcf || model.site.span.nowhere()) return false;
+  const auto root = source.documents.of(model.site.span.source).root();
+  return root && has_uncompared(*root);
 }
 
 }  // namespace rigor::convert

@@ -32,4 +32,16 @@ std::vector<robot::Difference> compare_settings(const SettingsSource& a, const S
 /// Whether there is something that only `compare_settings` looks at.
 bool has_settings(const SettingsSource& source);
 
+/// What a review asks for besides, likewise between models of one format: of URDF safety controllers, calibrations,
+/// transmissions and ros2_control, of SDF the stiffness and dissipation of limits, of MJCF armatures and the friction
+/// of geoms. Edits prove themselves without it.
+std::vector<robot::Difference> compare_further_settings(const SettingsSource& a,
+                                                        const SettingsSource& b);
+
+/// Whether there is something that only `compare_further_settings` looks at.
+bool has_further_settings(const SettingsSource& source);
+
+/// Whether an MJCF file has what neither compares: sensors, actuators, contact pairs, lights.
+bool has_uncompared_settings(const SettingsSource& source);
+
 }  // namespace rigor::convert

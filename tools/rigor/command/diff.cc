@@ -33,9 +33,10 @@ class Diff final : public Command {
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
         program, "diff",
-        "Compare two models as robots: links, joints, masses, shapes, colors; in two files of one "
-        "format also contact, gravity, self-collision, sensors, lights and plugins. Not compared: "
-        "textures and other looks, transmissions, ros2_control",
+        "Compare two models as robots: links, joints, masses, shapes, colors; in two SDF or two "
+        "URDF files also contact, gravity, self-collision, soft limits, sensors, lights, plugins, "
+        "transmissions and ros2_control, in two MJCF files armature and friction. Not compared: "
+        "textures and other looks",
         {"rigor diff old/robot.urdf robot.urdf", "rigor diff arm.sdf arm.urdf --format json"});
     app->add_option("a", a_, "A model file, or a folder with a model.config")
         ->required()
@@ -68,15 +69,17 @@ class Diff final : public Command {
                                     .helpers = robot::Helpers::kReported,
                                     .placement = robot::Placement::kReported};
     std::vector<robot::Difference> differences = robot::compare(*a, *b, all);
-    const auto settings = files.settings(loaded_a, model_, loaded_b, model_);
-    if (settings) differences.insert(differences.end(), settings->begin(), settings->end());
+    const auto settings = files.review_settings(loaded_a, model_, loaded_b, model_);
+    differences.insert(differences.end(), settings.differences.begin(), settings.differences.end());
     place_in_source(differences, *loaded_a.file, *loaded_b.file, sources);
-    const report::RobotDiff diff{
-        {loaded_a.file->path, *a}, {loaded_b.file->path, *b}, differences, sources, !settings};
+    const report::RobotDiff diff{{loaded_a.file->path, *a},
+                                 {loaded_b.file->path, *b},
+                                 differences,
+                                 sources,
+                                 settings.not_compared};
     for (const Target& target : targets) write(target, kDiffFormats[target.format].emit(diff));
-    if (!settings) {
-      say(std::string("rigor: one is SDF and one URDF, so not compared: ") +
-          report::kSettingsInWords);
+    if (!settings.not_compared.empty()) {
+      say("rigor: " + settings.why + ", so not compared: " + std::string(settings.not_compared));
     }
     if (differences.empty()) return kClean;
     say("rigor: " + report::counted(differences.size(), "difference"));

@@ -241,8 +241,11 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
   if (made) {
     for (robot::Difference& d : differences) d.span_a = {};  // in a text that nobody has
   }
-  const report::RobotDiff diff{
-      {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources, settings_left_out};
+  const report::RobotDiff diff{{loaded.file->path, *a},
+                               {kept.file->path, *b},
+                               differences,
+                               sources,
+                               settings_left_out ? report::kSettingsInWords : std::string_view()};
   for (const Target& target : output_.targets()) {
     write(target,
           target.format == 2 ? report::robot_diff_json(diff) : report::robot_diff_text(diff));

@@ -9,9 +9,8 @@
 #include <system_error>
 #include <vector>
 
-#include <rigor/convert/settings.h>
-#include <rigor/read/documents.h>
 #include <rigor/report/inspect/inspect.h>
+#include <rigor/report/robot_diff/robot_diff.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/robot/lookups.h>
@@ -61,6 +60,15 @@ Id<model::Model> chosen(const read::Loaded& loaded, const std::string& model) {
   return models[choice(loaded.file->path + ": model", model, known)];
 }
 
+std::string_view format_name(model::Format format) {
+  switch (format) {
+    case model::Format::kSdf: return "SDF";
+    case model::Format::kUrdf: return "URDF";
+    case model::Format::kMjcf: return "MJCF";
+    default: return "of another format";
+  }
+}
+
 }  // namespace
 
 read::Loaded RobotFiles::load(const std::string& path) {
@@ -92,13 +100,47 @@ std::optional<std::vector<robot::Difference>> RobotFiles::settings(const read::L
                                                                    const read::Loaded& b,
                                                                    const std::string& model_b) {
   const read::Documents documents(workspace_);
-  const auto source = [&](const read::Loaded& loaded, const std::string& model) {
-    return convert::SettingsSource{loaded.root, documents, environment_.sdf, chosen(loaded, model)};
-  };
-  const convert::SettingsSource x = source(a, model_a), y = source(b, model_b);
+  const convert::SettingsSource x = settings_source(a, model_a, documents),
+                                y = settings_source(b, model_b, documents);
   if (x.root[x.model].format == y.root[y.model].format) return convert::compare_settings(x, y);
   if (convert::has_settings(x) || convert::has_settings(y)) return std::nullopt;
   return std::vector<robot::Difference>{};
+}
+
+RobotFiles::SettingsReview RobotFiles::review_settings(const read::Loaded& a,
+                                                       const std::string& model_a,
+                                                       const read::Loaded& b,
+                                                       const std::string& model_b) {
+  const read::Documents documents(workspace_);
+  const convert::SettingsSource x = settings_source(a, model_a, documents),
+                                y = settings_source(b, model_b, documents);
+  const auto has_any = [](const convert::SettingsSource& source) {
+    return convert::has_settings(source) || convert::has_further_settings(source) ||
+           convert::has_uncompared_settings(source);
+  };
+  const model::Format format_a = x.root[x.model].format, format_b = y.root[y.model].format;
+  SettingsReview review;
+  if (format_a != format_b) {
+    if (!has_any(x) && !has_any(y)) return review;
+    review.not_compared = report::kAllSettingsInWords;
+    review.why = "one is " + std::string(format_name(format_a)) + " and one is " +
+                 std::string(format_name(format_b));
+    return review;
+  }
+  review.differences = convert::compare_settings(x, y);
+  const auto further = convert::compare_further_settings(x, y);
+  review.differences.insert(review.differences.end(), further.begin(), further.end());
+  if (convert::has_uncompared_settings(x) || convert::has_uncompared_settings(y)) {
+    review.not_compared = report::kMjcfSettingsInWords;
+    review.why = "both are MJCF";
+  }
+  return review;
+}
+
+convert::SettingsSource RobotFiles::settings_source(const read::Loaded& loaded,
+                                                    const std::string& model,
+                                                    const read::Documents& documents) const {
+  return {loaded.root, documents, environment_.sdf, chosen(loaded, model)};
 }
 
 }  // namespace rigor::tool

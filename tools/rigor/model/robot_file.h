@@ -7,9 +7,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <rigor/convert/settings.h>
 #include <rigor/mass/mesh/survey.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/robot/compare.h>
@@ -41,7 +44,19 @@ class RobotFiles {
                                                          const read::Loaded& b,
                                                          const std::string& model_b);
 
+  struct SettingsReview {
+    std::vector<robot::Difference> differences;
+    std::string_view not_compared;  ///< in words; empty: all is compared
+    std::string why;                ///< "one is SDF and one is URDF"
+  };
+  /// The same for a review, with what edits and conversions leave aside.
+  SettingsReview review_settings(const read::Loaded& a, const std::string& model_a,
+                                 const read::Loaded& b, const std::string& model_b);
+
  private:
+  convert::SettingsSource settings_source(const read::Loaded& loaded, const std::string& model,
+                                          const read::Documents& documents) const;
+
   const Environment& environment_;
   Sources& sources_;
   read::Workspace& workspace_;

@@ -62,7 +62,7 @@ std::string robot_diff_json(const RobotDiff& diff) {
       {"a", side_of(diff.a)},
       {"b", side_of(diff.b)},
       {"summary", {{"same", diff.differences.empty()}, {"differences", diff.differences.size()}}},
-      {"not_compared", diff.settings_left_out ? Json{kSettingsInWords} : Json::array()},
+      {"not_compared", diff.not_compared.empty() ? Json::array() : Json{diff.not_compared}},
       {"differences", differences}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

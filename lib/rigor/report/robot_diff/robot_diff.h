@@ -9,6 +9,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rigor/robot/compare.h>
@@ -26,12 +27,20 @@ struct RobotDiff {
   DiffSide a, b;
   const std::vector<robot::Difference>& differences;
   const Sources& sources;
-  bool settings_left_out = false;  ///< there are such, and they were not compared (settings.h)
+  std::string_view not_compared = {};  ///< what the models have beside; empty: nothing (settings.h)
 };
 
 /// What is compared only between models of one format.
 inline constexpr const char* kSettingsInWords =
     "contact, gravity, self-collision, sensors, lights and plugins";
+/// The same, with what only `rigor diff` compares.
+inline constexpr const char* kAllSettingsInWords =
+    "contact, gravity, self-collision, soft limits, armature, sensors, lights, plugins, "
+    "transmissions and ros2_control";
+/// What of two MJCF files is not compared.
+inline constexpr const char* kMjcfSettingsInWords =
+    "contact but for the friction of geoms, gravity, actuators, tendons, sensors, lights and "
+    "plugins";
 
 /// Empty when nothing differs.
 std::string robot_diff_text(const RobotDiff& diff);

@@ -392,7 +392,7 @@ class EditCommand final : public Command {
                                                 {edited.path(), proven.after->robot},
                                                 differences,
                                                 sources,
-                                                false});
+                                                {}});
     while (text.ends_with('\n')) text.pop_back();
     if (!text.empty()) say(text);
   }
