@@ -122,6 +122,18 @@ TEST(LspMeshFindings, ARobotIsNotJudgedByTheShapesThatAreNoMeshes) {
   editor.notify("textDocument/didSave", editor.document(path));
   open_meshes(editor);
   EXPECT_TRUE(finds("shape-exceeds-robot"));
+  // What is found then is fixed and suppressed as any other, until the text changes.
+  const auto actions = [&] {
+    const Json at = editor.position(path, "<box size='10 10 10'", 1);
+    Json params = editor.document(path);
+    params["range"] = {{"start", at}, {"end", at}};
+    params["context"] = {{"diagnostics", Json::array()}};
+    return editor.request("textDocument/codeAction", params).dump();
+  };
+  EXPECT_NE(actions().find("write it so"), std::string::npos) << actions();
+  EXPECT_NE(actions().find("suppress shape-exceeds-robot here"), std::string::npos);
+  editor.change(path, text + "\n");
+  EXPECT_EQ(actions().find("shape-exceeds-robot"), std::string::npos);
 }
 
 TEST(LspMeshFindings, WhatWasStoppedIsDoneAgain) {

@@ -116,11 +116,12 @@ void add_suppressions(const CodeActionRequest& request, const Diagnostic& findin
   actions.push_back(std::move(baseline));
 }
 
-void add_finding_actions(const CodeActionRequest& request, Json& actions) {
+void add_finding_actions(const CodeActionRequest& request, const std::vector<Diagnostic>& findings,
+                         Json& actions) {
   PlacesJson places(*request.checked.sources, request.state.client.encoding);
   std::set<std::string_view> rules;
   std::set<std::pair<std::string_view, std::uint32_t>> suppressed;
-  for (const Diagnostic& finding : request.checked.result.diagnostics.list()) {
+  for (const Diagnostic& finding : findings) {
     if (!request.touches(finding)) continue;
     const Json diagnostic = diagnostic_json(request.state, finding, places);
     add_fixes(request, finding, diagnostic, rules, actions);
@@ -238,7 +239,14 @@ Json code_actions(State& state, const Json& params) {
       offset_in(document, member(params, "range", "end")),
       kinds};
   Json actions = Json::array();
-  if (request.kinds.has(kQuickFix)) add_finding_actions(request, actions);
+  if (request.kinds.has(kQuickFix)) {
+    add_finding_actions(request, request.checked.result.diagnostics.list(), actions);
+    if (const State::MeshCheck* meshes = state.mesh_check(document)) {
+      add_finding_actions(
+          {state, document, meshes->checked, request.begin, request.end, request.kinds},
+          meshes->findings, actions);
+    }
+  }
   if (request.kinds.has(kRewrite)) add_rewrites(request, actions);
   for (Json& action : property_actions(state, document, request.begin, request.end)) {
     if (request.kinds.has(text_at(action, "kind"))) actions.push_back(std::move(action));

@@ -59,6 +59,8 @@ class BackgroundCheck {
   /// After `run`: what is found only with the meshes opened; spans are of `sources()`.
   const std::vector<Diagnostic>& findings() const { return findings_; }
   const Sources& sources() const { return *checked_.sources; }
+  /// The check with them, once; `sources()` go along.
+  CheckedDocument take_with_meshes() { return std::move(checked_); }
 
  private:
   StoppableDisk disk_;

@@ -140,6 +140,7 @@ void Session::did_open(const Json& params) {
   state_.disk.open_in_editor(path, document->text());
   state_.documents[uri] = std::move(document);
   state_.checks.erase(uri);
+  state_.mesh_checks.erase(uri);
   // Whoever looked for the file in vain is not known.
   if (is_new) files_changed();
   check_later(uri);
@@ -185,6 +186,7 @@ void Session::did_close(const Json& params) {
   state_.disk.close_in_editor(path);
   state_.documents.erase(found);
   state_.checks.erase(uri);
+  state_.mesh_checks.erase(uri);
   drop(to_check_, uri);
   drop(to_prepare_, uri);
   drop(to_check_whole_, uri);
@@ -293,7 +295,10 @@ void Session::finish(BackgroundCheck& check) {
   const bool is_outdated = check.stopped() || check.document().version != document.version();
   if (is_outdated && check.opens_meshes()) return open_meshes_later(document);
   if (is_outdated) return check_later(uri);
-  if (check.opens_meshes()) mesh_findings_[uri] = MeshFindings(state_, document, check);
+  if (check.opens_meshes()) {
+    mesh_findings_[uri] = MeshFindings(state_, document, check);
+    state_.mesh_checks[uri] = {document.version(), check.take_with_meshes(), check.findings()};
+  }
   State::LastCheck& last = state_.checks[uri];
   if (!check.opens_meshes() && last.version == document.version() && !last.is_whole) {
     last.checked = check.take_whole();

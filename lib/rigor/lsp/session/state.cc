@@ -119,6 +119,12 @@ const CheckedDocument& State::checked_whole(OpenDocument& document) {
   return last.checked;
 }
 
+const State::MeshCheck* State::mesh_check(const OpenDocument& document) const {
+  const auto found = mesh_checks.find(document.uri());
+  const bool is_now = found != mesh_checks.end() && found->second.version == document.version();
+  return is_now ? &found->second : nullptr;
+}
+
 void State::prepare_parts(const OpenDocument& document) {
   LastCheck& last = checks[document.uri()];
   if (last.prepared || !last.is_whole || last.version != document.version()) return;

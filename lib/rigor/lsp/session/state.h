@@ -136,6 +136,16 @@ struct State {
   };
   std::map<std::string, LastCheck, std::less<>> checks;
 
+  /// A check with the meshes opened, and what only that finds.
+  struct MeshCheck {
+    std::int64_t version = -1;
+    CheckedDocument checked;
+    std::vector<Diagnostic> findings;
+  };
+  std::map<std::string, MeshCheck, std::less<>> mesh_checks;  ///< the last of each, by URI
+  /// That of the document's text as it is now; null when there is none.
+  const MeshCheck* mesh_check(const OpenDocument& document) const;
+
  private:
   std::optional<CheckedDocument> checked_in_part(LastCheck& last, const OpenDocument& document);
 
