@@ -65,7 +65,7 @@ const std::map<std::string, Names>& third_parties() {
       {"tinyxml2.h", {"xml", "tools"}},
       {"Eigen/", {"mass", "report"}},
       {"fmt/", {"convert", "rules", "author", "report", "lsp", "tools"}},
-      {"nlohmann/", {"mesh", "report", "results", "lsp", "tools"}},
+      {"nlohmann/", {"mesh", "report", "results", "lsp"}},
       {"CLI/", {"tools"}},
       {"httplib.h", {"tools"}},
       {"toml++", {"config"}},

@@ -73,6 +73,16 @@ std::string_view name_of(FactKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+std::string_view name_of(FactFrame::Kind kind) {
+  switch (kind) {
+    case FactFrame::Kind::kMacro: return "macro";
+    case FactFrame::Kind::kInclude: return "include";
+    case FactFrame::Kind::kCondition: return "condition";
+    case FactFrame::Kind::kBlock: return "block";
+  }
+  return "";
+}
+
 std::string describe(const Fact& f) {
   const std::string name = quoted_name(f.name);
   switch (f.kind) {

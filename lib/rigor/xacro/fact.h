@@ -96,6 +96,9 @@ struct FactFrame {
   std::vector<FactParameter> parameters = {};  ///< of a macro call, with their values
 };
 
+/// "macro", "include", "condition" or "block".
+std::string_view name_of(FactFrame::Kind kind);
+
 struct Fact {
   FactKind kind = FactKind::kSyntax;
   Span where;

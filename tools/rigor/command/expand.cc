@@ -11,6 +11,7 @@
 
 #include <rigor/read/resolver.h>
 #include <rigor/read/template/template_expander.h>
+#include <rigor/report/json/expansion.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/xacro/print.h>
@@ -73,7 +74,7 @@ class ExpandCommand final : public Command {
       if (!found) throw UsageError("--trace " + trace_ + ": no such element or attribute");
       put(*found);
     } else if (!map_.empty()) {
-      put(map_json(expansion, sources));
+      put(report::expansion_json(expansion, sources));
     } else if (ok) {
       put(xacro::print(*expansion.document, path_));
     }

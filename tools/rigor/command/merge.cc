@@ -6,11 +6,14 @@
 
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/results/line.h>
 #include <rigor/results/writer.h>
 
 #include "command/command.h"
@@ -73,9 +76,10 @@ class Merge final : public Command {
     if (!file) throw UsageError(path + ": cannot be read");
     std::string line;
     for (unsigned number = 1; std::getline(file, line); ++number) {
-      const auto one = case_of(line);
+      const std::optional<results::Record> record = results::record_of(line);
       const std::string where = path + ':' + std::to_string(number);
-      if (!one) throw UsageError(where + ": is not a result of a run");
+      if (!record) throw UsageError(where + ": is not a result of a run");
+      const results::Case* one = std::visit([](const auto& made) { return &made.one; }, *record);
       if (total_ != 0 && one->of != total_) {
         throw UsageError(where + ": is of a run of " + std::to_string(one->of) + " cases, not " +
                          std::to_string(total_));

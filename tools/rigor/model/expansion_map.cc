@@ -4,18 +4,13 @@
 #include "model/expansion_map.h"
 
 #include <charconv>
-#include <map>
 #include <utility>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include <rigor/report/terminal/printable.h>
 
 namespace rigor::tool {
 namespace {
-
-using MapJson = nlohmann::ordered_json;
 
 std::string_view frame_verb(xacro::FactFrame::Kind kind) {
   switch (kind) {
@@ -23,16 +18,6 @@ std::string_view frame_verb(xacro::FactFrame::Kind kind) {
     case xacro::FactFrame::Kind::kInclude: return "included at ";
     default: return "at ";
   }
-}
-
-std::string_view frame_kind(xacro::FactFrame::Kind kind) {
-  switch (kind) {
-    case xacro::FactFrame::Kind::kMacro: return "macro";
-    case xacro::FactFrame::Kind::kInclude: return "include";
-    case xacro::FactFrame::Kind::kCondition: return "condition";
-    case xacro::FactFrame::Kind::kBlock: return "block";
-  }
-  return "";
 }
 
 /// One step of a path: `link`, `link[base]`, `link[2]`.
@@ -70,48 +55,6 @@ const xacro::Node* child_at(const xacro::Node& parent, const TraceStep& step) {
   return nullptr;
 }
 
-/// Lines of a source are found once.
-class PlaceFinder {
- public:
-  explicit PlaceFinder(const Sources& sources) : sources_(sources) {}
-
-  MapJson place(Span where) {
-    if (where.nowhere()) return nullptr;
-    const auto found = tables_.try_emplace(where.source, sources_.bytes(where.source)).first;
-    const Position begin = found->second.position(where.begin);
-    const Position end = found->second.position(where.end);
-    return {{"path", sources_.path(where.source)},
-            {"line", begin.line},
-            {"column", begin.column},
-            {"end_line", end.line},
-            {"end_column", end.column}};
-  }
-
- private:
-  const Sources& sources_;
-  std::map<SourceId, LineTable> tables_;
-};
-
-void add_elements(const xacro::Node& node, const std::string& path, PlaceFinder& places,
-                  MapJson& elements) {
-  MapJson element{{"path", path}, {"where", places.place(node.where.span)}, {"frame", node.frame}};
-  MapJson attributes = MapJson::object();
-  for (const xacro::NodeAttribute& attribute : node.attributes) {
-    MapJson& at = attributes[std::string(attribute.name)];
-    at = {{"value", attribute.value}, {"where", places.place(attribute.where.span)}};
-    if (!attribute.from.nowhere()) at["from"] = places.place(attribute.from);
-  }
-  element["attributes"] = std::move(attributes);
-  elements.push_back(std::move(element));
-  std::map<std::string_view, std::size_t> counts;
-  for (const xacro::Node* child = node.first_element(); child != nullptr;
-       child = child->next_element()) {
-    const std::size_t number = ++counts[child->name];
-    add_elements(*child, path + '/' + std::string(child->name) + '[' + std::to_string(number) + ']',
-                 places, elements);
-  }
-}
-
 }  // namespace
 
 void place_in_source(std::vector<robot::Difference>& differences, const read::File& a,
@@ -143,8 +86,8 @@ std::string shown_place(const Sources& sources, Span where) {
 std::string shown_stack(const Sources& sources, const std::vector<xacro::FactFrame>& stack) {
   std::string text;
   for (const xacro::FactFrame& frame : stack) {
-    text += "  in " + std::string(frame_kind(frame.kind)) + " '" +
-            report::printable(frame.name, 80) + "'";
+    text +=
+        "  in " + std::string(name_of(frame.kind)) + " '" + report::printable(frame.name, 80) + "'";
     for (std::size_t i = 0; i < frame.parameters.size(); ++i) {
       text += (i == 0 ? " (" : ", ") + report::printable(frame.parameters[i].name) + "='" +
               report::printable(frame.parameters[i].value, 40) + "'";
@@ -186,30 +129,6 @@ std::optional<std::string> trace(const xacro::Expansion& expansion, const Source
     }
   }
   return text + shown_stack(sources, expansion.stack_of(node->frame));
-}
-
-std::string map_json(const xacro::Expansion& expansion, const Sources& sources) {
-  PlaceFinder places(sources);
-  MapJson json{{"schema_version", 1}, {"files", MapJson::array()}, {"frames", MapJson::array()}};
-  for (const xacro::FileUse& file : expansion.files) json["files"].push_back(file.path);
-  for (const xacro::Frame& frame : expansion.frames) {
-    MapJson parameters = MapJson::object();
-    for (std::uint32_t i = 0; i < frame.parameter_count; ++i) {
-      const auto& [name, value] = expansion.frame_parameters[frame.parameters + i];
-      parameters[std::string(name)] = xacro::shown_value(value);
-    }
-    json["frames"].push_back({{"kind", frame_kind(frame.kind)},
-                              {"name", frame.name},
-                              {"outer", frame.outer},
-                              {"where", places.place(frame.where)},
-                              {"parameters", std::move(parameters)}});
-  }
-  MapJson elements = MapJson::array();
-  if (expansion.root != nullptr) {
-    add_elements(*expansion.root, '/' + std::string(expansion.root->name), places, elements);
-  }
-  json["elements"] = std::move(elements);
-  return json.dump(1, ' ', false, MapJson::error_handler_t::replace) + '\n';
 }
 
 }  // namespace rigor::tool

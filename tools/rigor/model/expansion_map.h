@@ -38,7 +38,4 @@ std::string shown_stack(const Sources& sources, const std::vector<xacro::FactFra
 std::optional<std::string> trace(const xacro::Expansion& expansion, const Sources& sources,
                                  std::string_view path);
 
-/// All of it, as JSON: files, frames, and elements in document order with the places of their attributes.
-std::string map_json(const xacro::Expansion& expansion, const Sources& sources);
-
 }  // namespace rigor::tool

@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <variant>
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
+#include <rigor/results/line.h>
 
 #include "command/command.h"
 #include "output/atomic_file.h"
@@ -20,64 +21,27 @@
 namespace rigor::tool {
 namespace {
 
-using Json = nlohmann::json;
-
-std::optional<CaseNumber> case_in(const Json& json) {
-  if (!json.is_object() || !json.contains("case")) return std::nullopt;
-  const Json& one = json["case"];
-  const auto is_count = [&one](const char* key) {
-    return one.is_object() && one.contains(key) && one[key].is_number_unsigned();
-  };
-  if (!is_count("index") || !is_count("of") || one["index"] >= one["of"]) return std::nullopt;
-  if (one.contains("id") && !one["id"].is_string()) return std::nullopt;
-  const std::string id = one.value("id", std::string());
-  return CaseNumber{one["index"].get<std::size_t>(), one["of"].get<std::size_t>(), id};
-}
-
-/// The text under a key; nothing when there is none.
-std::optional<std::string> text_in(const Json& json, const char* key) {
-  if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return std::nullopt;
-  return json[key].get<std::string>();
-}
-
-/// The text under a key of each entry of a list; nothing when any has none.
-std::optional<std::vector<std::string>> texts_in(const Json& json, const char* list,
-                                                 const char* key) {
-  if (!json.is_object() || !json.contains(list) || !json[list].is_array()) return std::nullopt;
-  std::vector<std::string> texts;
-  for (const Json& entry : json[list]) {
-    const std::optional<std::string> text = text_in(entry, key);
-    if (!text) return std::nullopt;
-    texts.push_back(*text);
-  }
-  return texts;
-}
-
 /// Nothing when the line is no result of a simulation.
 std::optional<KeptResult> kept_in(const std::string& line) {
-  const Json json = Json::parse(line, nullptr, false);
-  const std::optional<CaseNumber> one = case_in(json);
-  const std::optional<std::string> model = text_in(json, "model");
-  const auto tests = texts_in(json, "runs", "test");
-  const auto severities = texts_in(json, "diagnostics", "severity");
-  if (!one || !model || !tests || !severities) return std::nullopt;
-  KeptResult kept{*one, *model, *tests, std::nullopt};
+  std::optional<results::Record> record = results::record_of(line);
+  auto* const made = record ? std::get_if<results::SimulatedCase>(&*record) : nullptr;
+  if (made == nullptr) return std::nullopt;
+  KeptResult kept{std::move(made->one), std::move(made->model), {}, std::nullopt};
   // With two engines each test is run twice, one after the other.
-  kept.tests.erase(std::unique(kept.tests.begin(), kept.tests.end()), kept.tests.end());
+  for (results::Run& run : made->runs) {
+    if (kept.tests.empty() || kept.tests.back() != run.test)
+      kept.tests.push_back(std::move(run.test));
+  }
   for (const Severity severity : {Severity::kInfo, Severity::kWarning, Severity::kError}) {
-    const std::string_view name = to_string(severity);
-    if (std::find(severities->begin(), severities->end(), name) != severities->end()) {
-      kept.worst = severity;
-    }
+    const bool any = std::any_of(
+        made->findings.begin(), made->findings.end(),
+        [&](const results::Finding& each) { return each.severity == to_string(severity); });
+    if (any) kept.worst = severity;
   }
   return kept;
 }
 
 }  // namespace
-
-std::optional<CaseNumber> case_of(std::string_view line) {
-  return case_in(Json::parse(line, nullptr, false));
-}
 
 ResultsFile::~ResultsFile() { close(); }
 

@@ -23,23 +23,14 @@
 #include <vector>
 
 #include <rigor/process/descriptor.h>
+#include <rigor/results/record.h>
 #include <rigor/text/diagnostic.h>
 
 namespace rigor::tool {
 
-/// The number of a result's case among all of them, and how many there are; from its line.
-struct CaseNumber {
-  std::size_t index = 0;
-  std::size_t of = 0;
-  std::string id;
-};
-
-/// Nothing when the line is no result.
-std::optional<CaseNumber> case_of(std::string_view line);
-
 /// What the line of a simulation says it is about, and how severe what it found is.
 struct KeptResult {
-  CaseNumber one;
+  results::Case one;
   std::string model;
   std::vector<std::string> tests;
   std::optional<Severity> worst;

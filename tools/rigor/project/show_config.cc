@@ -9,17 +9,14 @@
 #include <vector>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
+#include <rigor/report/json/settings.h>
 #include <rigor/report/terminal/printable.h>
-#include <rigor/report/tool.h>
 
 #include "command/command.h"
 
 namespace rigor::tool {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 /// A line of what is shown.
 struct ShownSetting {
@@ -122,29 +119,15 @@ std::string config_text(const std::string& file, const config::Config& config,
 
 std::string config_json(const std::string& file, const config::Config& config,
                         const ShownSettings& shown, const ConfigOptions& options) {
-  OrderedJson files = OrderedJson::array();
+  std::vector<std::string> files;
   for (const std::string& each : config.files) files.push_back(options.shown(each));
-  OrderedJson settings = OrderedJson::array();
+  std::vector<report::SettingLine> settings;
   for (const ShownSetting& each : shown.list()) {
-    OrderedJson json = {{"key", each.key},
-                        {"value", each.value},
-                        {"option", nullptr},
-                        {"path", nullptr},
-                        {"line", nullptr}};
-    if (!each.option.empty()) json["option"] = each.option;
-    if (!each.place.path.empty()) {
-      json["path"] = options.shown(each.place.path);
-      json["line"] = each.place.line;
-    }
-    settings.push_back(std::move(json));
+    const std::string& path = each.place.path;
+    settings.push_back({each.key, each.value, each.option,
+                        path.empty() ? std::string() : options.shown(path), each.place.line});
   }
-  const OrderedJson json = {
-      {"tool", {{"name", report::kToolName}, {"version", report::tool_version()}}},
-      {"schema_version", report::kSchemaVersion},
-      {"path", file},
-      {"configurations", std::move(files)},
-      {"settings", std::move(settings)}};
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
+  return report::settings_json(file, files, settings);
 }
 
 }  // namespace

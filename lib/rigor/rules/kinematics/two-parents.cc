@@ -20,14 +20,17 @@ void check(const model::Model& robot, Context& context) {
     for (std::size_t k = 1; k < joints.size(); ++k) {
       const model::Joint* first = &root[joints.front()];
       const model::Joint* joint = &root[joints[k]];
+      const char* other = "first made a child here";
       const model::Link* meant = misnamed_child(*joint, tree, robot, root);
-      if (meant == nullptr && (meant = misnamed_child(*first, tree, robot, root)) != nullptr)
+      if (meant == nullptr && (meant = misnamed_child(*first, tree, robot, root)) != nullptr) {
         std::swap(first, joint);
+        other = "a child here, too";
+      }
       Finding finding{.where = joint->child.span,
                       .message = "the link '" + joint->child.value +
                                  "' is already the child of the joint '" + first->name.value + "'",
                       .subject = context.subject(*joint),
-                      .related = {{first->child.span, "made a child here"}}};
+                      .related = {{first->child.span, other}}};
       if (meant != nullptr) {
         finding.help = "'" + meant->name.value + "' is the child of none: is it meant?";
         if (context.bytes(joint->child.span) == joint->child.value) {
