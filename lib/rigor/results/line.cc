@@ -215,6 +215,17 @@ std::optional<LineHead> head_of(std::string_view line) {
   return reader.head();
 }
 
+std::optional<Case> case_of(std::string_view line) {
+  try {
+    const Json json = parsed(line);
+    if (!json.is_object()) return std::nullopt;
+    Case one = case_in(json);
+    return one.index < one.of ? std::optional(std::move(one)) : std::nullopt;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
 std::optional<Record> record_of(std::string_view line) {
   // The library says by an exception which key is missing or of another type; a line is a result or is none.
   try {

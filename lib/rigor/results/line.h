@@ -23,6 +23,9 @@ struct LineHead {
 /// Nothing when the line is no result, as far as it was read.
 std::optional<LineHead> head_of(std::string_view line);
 
+/// Of a line that is whole, whatever else it says; nothing when it is torn or names no case.
+std::optional<Case> case_of(std::string_view line);
+
 /// Nothing when the line is no result. What it has beyond a record is ignored: lines may say more in later versions.
 std::optional<Record> record_of(std::string_view line);
 

@@ -8,7 +8,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <rigor/report/terminal/printable.h>
@@ -76,10 +75,9 @@ class Merge final : public Command {
     if (!file) throw UsageError(path + ": cannot be read");
     std::string line;
     for (unsigned number = 1; std::getline(file, line); ++number) {
-      const std::optional<results::Record> record = results::record_of(line);
+      const std::optional<results::Case> one = results::case_of(line);
       const std::string where = path + ':' + std::to_string(number);
-      if (!record) throw UsageError(where + ": is not a result of a run");
-      const results::Case* one = std::visit([](const auto& made) { return &made.one; }, *record);
+      if (!one) throw UsageError(where + ": is not a result of a run");
       if (total_ != 0 && one->of != total_) {
         throw UsageError(where + ": is of a run of " + std::to_string(one->of) + " cases, not " +
                          std::to_string(total_));
