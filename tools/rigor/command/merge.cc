@@ -19,7 +19,6 @@
 #include "command/merge_database.h"
 #include "output/atomic_file.h"
 #include "output/output.h"
-#include "output/results_file.h"
 
 namespace rigor::tool {
 namespace {
