@@ -107,7 +107,11 @@ export class Workbench {
         return false;
       }
     });
-    await widget.waitFor({ state: 'hidden' });
+    // What was run may ask at once, in the same box, which is then never seen hidden.
+    await until(`the box for ${text} to be gone`, async () => {
+      const said = await box.inputValue({ timeout: 1000 }).catch(() => undefined);
+      return said !== text || !(await widget.isVisible());
+    });
   }
 
   run(title) {
