@@ -206,7 +206,8 @@ std::optional<Fix> fix_for(const Odd& odd, const Context& context) {
   for (const std::size_t i : places) {
     const TwinNumber& wrong = (*odd.wrong)[i];
     if (wrong.value == 0 && (*odd.right)[i].value != 0) return std::nullopt;
-    const double meant = std::copysign((*odd.right)[i].value, wrong.value);
+    const double right = (*odd.right)[i].value;
+    const double meant = right == 0 ? 0 : std::copysign(right, wrong.value);
     if (number.pose) {
       translation.*kCoordinates[wrong.coordinate] = meant;
       continue;
