@@ -173,8 +173,8 @@ struct Lidar {
 /// `<force_torque>`.
 struct Wrench {
   Field<std::string> frame;  ///< that it is told in: child, parent or sensor
-  Field<std::string>
-      direction;  ///< child_to_parent: what the child does to the parent; or the reverse
+  /// child_to_parent: what the child does to the parent; or parent_to_child.
+  Field<std::string> direction;
 };
 
 struct Sensor {

@@ -14,8 +14,10 @@
 
 namespace rigor::rules::inertial_origin_missing {
 
-constexpr double kMin = 1e-3;   // kg; less is a token for a frame that had to have some mass
-constexpr double kNear = 0.02;  // of the length: what lies so near to an end is at it
+constexpr double kMin = 1e-3;        // kg; less is a token for a frame that had to have some mass
+constexpr double kNear = 0.02;       // of the length: what lies so near to an end is at it
+constexpr double kElsewhere = 1.5;   // lengths
+constexpr double kSameMiddle = 0.1;  // of the length: visuals and collisions were moved together
 
 /// How far the middle of the shapes is from the link's origin along the axis at whose end that is.
 struct Middle {
@@ -33,7 +35,8 @@ std::optional<Middle> middle_beside_origin(const Outline& outline) {
     middle.center = middle.center + 0.5 * (ahead - behind) * axis;
     if (std::min(ahead, behind) < kNear * length) middle.length = std::max(middle.length, length);
   }
-  if (middle.length == 0 || model::length(middle.center) > 1.5 * middle.length) return std::nullopt;
+  if (middle.length == 0 || model::length(middle.center) > kElsewhere * middle.length)
+    return std::nullopt;
   return middle;
 }
 
@@ -56,7 +59,7 @@ void check_link(const model::Link& link, LazyGroups& /*groups*/, Context& contex
   if (!collisions.add_collisions(link) || collisions.empty()) return;
   const auto seen = middle_beside_origin(visuals), touched = middle_beside_origin(collisions);
   if (!seen || !touched) return;
-  if (model::length(seen->center - touched->center) > 0.1 * touched->length) return;
+  if (model::length(seen->center - touched->center) > kSameMiddle * touched->length) return;
   const model::Vector3& c = touched->center;
   context.report(
       {.where = inertial.site.name,

@@ -1,9 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include <fmt/core.h>

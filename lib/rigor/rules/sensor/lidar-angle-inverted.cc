@@ -5,6 +5,7 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sensor/lidar_scans.h>
 
 namespace rigor::rules::lidar_angle_inverted {
 
@@ -21,12 +22,6 @@ void look_at(const model::LidarScan& scan, const model::Sensor& sensor, Context&
        .fix = swap("swap them", least.span, most.span, context)});
 }
 
-void check(const model::Sensor& sensor, Context& context) {
-  if (!sensor.lidar) return;
-  look_at(sensor.lidar->horizontal, sensor, context);
-  look_at(sensor.lidar->vertical, sensor, context);
-}
-
 Rule rule() {
   return {
       .name = "lidar-angle-inverted",
@@ -38,7 +33,7 @@ Rule rule() {
           "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
           "steps of a scan message walks the wrong way.",
       .what_to_do = "Write the smaller angle, in radians, as min_angle.",
-      .checks = {on<model::Sensor>(check)},
+      .checks = {on<model::Sensor>(check_scans<look_at>)},
   };
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sensor/lidar_scans.h>
 
 namespace rigor::rules::lidar_angles_equal {
 
@@ -18,12 +19,6 @@ void look_at(const model::LidarScan& scan, const model::Sensor& sensor, Context&
        .related = {{scan.max_angle.span, "the other"}}});
 }
 
-void check(const model::Sensor& sensor, Context& context) {
-  if (!sensor.lidar) return;
-  look_at(sensor.lidar->horizontal, sensor, context);
-  look_at(sensor.lidar->vertical, sensor, context);
-}
-
 Rule rule() {
   return {
       .name = "lidar-angles-equal",
@@ -32,7 +27,7 @@ Rule rule() {
       .why = "min_angle and max_angle are the same, so that all rays measure one distance; mostly "
              "a minus was lost.",
       .what_to_do = "Write the two ends of the scan, in radians, or one sample.",
-      .checks = {on<model::Sensor>(check)},
+      .checks = {on<model::Sensor>(check_scans<look_at>)},
   };
 }
 
