@@ -7,13 +7,12 @@
 #include <cstdint>
 #include <string_view>
 
+#include <rigor/results/line.h>
 #include <rigor/rules/baseline.h>
-
-#include "output/results_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  rigor::tool::case_of(bytes);
+  rigor::results::case_of(bytes);
   rigor::rules::read_baseline(bytes);
   return 0;
 }
