@@ -123,6 +123,21 @@ TEST(Settings, AReviewSeesTheStiffnessOfLimits) {
   EXPECT_EQ(further(sdf, "100", "200"), Lines{"setting joint j axis/limit/stiffness: 100 > 200"});
 }
 
+TEST(Settings, AReviewSeesTheWorldAndTheFlagsOfVisuals) {
+  const std::string sdf = R"(<sdf version="1.9"><world name="w"><gravity>0 0 -9.7</gravity>
+<physics name="p" type="ode"><max_step_size>0.002</max_step_size></physics><light name="sun" type="directional"/>
+<model name="m"><link name="a"><visual name="v"><geometry><sphere><radius>1</radius></sphere></geometry>
+<cast_shadows>false</cast_shadows></visual></link></model></world></sdf>)";
+  EXPECT_EQ(further(sdf, "0.002", "2e-3"), Lines{});
+  EXPECT_EQ(further(sdf, "-9.7", "-1.6"), Lines{"setting world gravity: 0 0 -9.7 > 0 0 -1.6"});
+  EXPECT_EQ(further(sdf, "0.002", "0.1"),
+            Lines{"setting world physics/max_step_size: 0.002 > 0.1"});
+  EXPECT_EQ(further(sdf, "<light name=\"sun\" type=\"directional\"/>", ""),
+            Lines{"attachment-only-in-a light sun"});
+  EXPECT_EQ(further(sdf, "<cast_shadows>false</cast_shadows>", ""),
+            Lines{"setting visual a/v cast_shadows: false > "});
+}
+
 TEST(Settings, AReviewSeesArmatureAndFrictionOfMjcf) {
   const std::string mjcf = R"(<mujoco><default><geom friction="0.7"/></default><worldbody>
 <body name="a"><joint name="j" armature="0.01"/><geom name="g" size="0.1"/></body></worldbody></mujoco>)";

@@ -31,6 +31,8 @@ constexpr std::string_view kKnownInLink[] = {"inertial", "collision", "visual",
                                              "pose",     "frame",     "origin"};
 constexpr std::string_view kKnownInCollision[] = {"geometry", "pose", "origin", "density",
                                                   "auto_inertia_params"};
+constexpr std::string_view kKnownInVisual[] = {"geometry", "pose", "material", "transparency"};
+constexpr std::string_view kKnownInWorld[] = {"model", "include", "frame", "joint", "state"};
 constexpr std::string_view kKnownInJoint[] = {
     "parent", "child", "axis", "axis2", "pose", "thread_pitch", "origin", "screw_thread_pitch"};
 constexpr std::string_view kKnownInBlock[] = {"springReference", "springStiffness",
@@ -57,6 +59,8 @@ std::span<const std::string_view> known_in(std::string_view element) {
   if (element == "model") return kKnownInModel;
   if (element == "link") return kKnownInLink;
   if (element == "collision") return kKnownInCollision;
+  if (element == "visual") return kKnownInVisual;
+  if (element == "world") return kKnownInWorld;
   if (element == "joint") return kKnownInJoint;
   return kKnownInBlock;
 }
@@ -110,6 +114,7 @@ class SettingCollector {
         if (is_inside(root_.links[i].model)) add_friction({i});
       }
     }
+    if (is_sdf()) add_surroundings();
     const model::Site& robot = root_[source_.model].site;
     if (format() != model::Format::kUrdf || robot.span.nowhere()) return std::move(found_);
     for (const xml::Element child : source_.documents.element(robot).children()) {
@@ -120,6 +125,18 @@ class SettingCollector {
 
  private:
   model::Format format() const { return root_[source_.model].format; }
+
+  /// Of the world that the model is in, and what of visuals only a renderer asks for.
+  void add_surroundings() {
+    const Id<model::World> world = root_[source_.model].world;
+    if (world) add_entity(root_[world].site, "world");
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      if (!is_inside(root_.links[i].model)) continue;
+      const std::string name = "visual " + inside(Id<model::Link>{i}) + '/';
+      for (const Id<model::Visual> id : root_.links[i].visuals)
+        add_entity(root_[id].site, name + root_[id].name.value);
+    }
+  }
 
   void add_further(const model::Joint& joint, const std::string& subject) {
     found_.known.insert(subject);

@@ -33,8 +33,8 @@ std::vector<robot::Difference> compare_settings(const SettingsSource& a, const S
 bool has_settings(const SettingsSource& source);
 
 /// What a review asks for besides, likewise between models of one format: of URDF safety controllers, calibrations,
-/// transmissions and ros2_control, of SDF the stiffness and dissipation of limits, of MJCF armatures and the friction
-/// of geoms. Edits prove themselves without it.
+/// transmissions and ros2_control, of SDF the stiffness and dissipation of limits, the visuals' flags and the world around
+/// the model, of MJCF armatures and the friction of geoms. Edits prove themselves without it.
 std::vector<robot::Difference> compare_further_settings(const SettingsSource& a,
                                                         const SettingsSource& b);
 

@@ -35,7 +35,8 @@ class Diff final : public Command {
         program, "diff",
         "Compare two models as robots: links, joints, masses, shapes, colors; in two SDF or two "
         "URDF files also contact, gravity, self-collision, soft limits, sensors, lights, plugins, "
-        "transmissions and ros2_control, in two MJCF files armature and friction. Not compared: "
+        "transmissions, ros2_control and the world, in two MJCF files armature and friction. Not "
+        "compared: "
         "textures and other looks",
         {"rigor diff old/robot.urdf robot.urdf", "rigor diff arm.sdf arm.urdf --format json"});
     app->add_option("a", a_, "A model file, or a folder with a model.config")

@@ -36,7 +36,7 @@ inline constexpr const char* kSettingsInWords =
 /// The same, with what only `rigor diff` compares.
 inline constexpr const char* kAllSettingsInWords =
     "contact, gravity, self-collision, soft limits, armature, sensors, lights, plugins, "
-    "transmissions and ros2_control";
+    "transmissions, ros2_control and the world around the model";
 /// What of two MJCF files is not compared.
 inline constexpr const char* kMjcfSettingsInWords =
     "contact but for the friction of geoms, gravity, actuators, tendons, sensors, lights and "
