@@ -44,7 +44,7 @@ class AtomicFile : public ::testing::Test {
 };
 
 TEST_F(AtomicFile, IsOnTheDiskBeforeItHasItsName) {
-  const Ran ran = replace("-e trace=write,fsync,close,rename");
+  const Ran ran = replace("-e trace=write,fsync,close,renameat");
   ASSERT_EQ(ran.exit, 0) << ran.err;
   EXPECT_EQ(folder_.get("into/all.jsonl"), kResult);
   const std::string calls = folder_.get("calls.txt");
@@ -60,7 +60,7 @@ TEST_F(AtomicFile, IsOnTheDiskBeforeItHasItsName) {
   EXPECT_TRUE(next("write(", temporary)) << calls;
   EXPECT_TRUE(next("fsync(", temporary)) << calls;
   EXPECT_TRUE(next("close(", temporary)) << calls;
-  EXPECT_TRUE(next("rename(", temporary)) << calls;
+  EXPECT_TRUE(next("renameat(", "\"all.jsonl.")) << calls;
   EXPECT_TRUE(next("fsync(", "/into>")) << calls;
 }
 
@@ -90,6 +90,19 @@ TEST_F(AtomicFile, AFolderThatCannotBeSynchronizedIsNoFailure) {
   const Ran ran = replace("-e inject=fsync:error=EINVAL:when=2+");
   EXPECT_EQ(ran.exit, 0) << ran.err;
   EXPECT_EQ(folder_.get("into/all.jsonl"), kResult);
+}
+
+TEST(ReplacedFile, IsRefusedWhenItIsReadOnly) {
+  const Folder folder;
+  folder.put("a.urdf", "<robot name=\"r\" ><link name=\"a\"/></robot>\n");
+  const std::string before = folder.get("a.urdf");
+  std::filesystem::permissions(folder.path("a.urdf"), std::filesystem::perms::owner_read);
+  for (const std::string path : {"a.urdf", "."}) {
+    const Ran ran = folder.rigor("fmt " + path);
+    EXPECT_EQ(ran.exit, 2) << path;
+    EXPECT_NE(ran.err.find("a.urdf: is read-only"), std::string::npos) << ran.err;
+    EXPECT_EQ(folder.get("a.urdf"), before);
+  }
 }
 
 }  // namespace

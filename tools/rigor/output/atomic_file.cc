@@ -5,9 +5,9 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <random>
 #include <system_error>
 #include <utility>
 
@@ -46,34 +46,17 @@ void write_directly(const std::string& path, std::string_view bytes) {
   if (const int error = file.close()) fail(path, error);
 }
 
-/// Of the file that is there, or of a new one.
-mode_t mode_for(const std::string& path) {
-  struct stat status = {};
-  if (::stat(path.c_str(), &status) == 0) return status.st_mode & 07777U;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666U & ~mask;
-}
-
-/// Where that is allowed: as root in a container, on somebody's folder.
-void keep_owner(int file, const std::string& target) {
-  struct stat status = {};
-  if (::stat(target.c_str(), &status) != 0) return;
-  if (::fchown(file, status.st_uid, status.st_gid) != 0) return;  // it is the caller's then
-}
-
-/// The name in the folder is on the disk only then. A folder that cannot be synchronized (no permission to read it,
-/// a network's file system) is no failure: after a crash there is the old file or the new one, and both are whole.
-void sync_folder_of(const std::string& path) {
-  const fs::path parent = fs::path(path).parent_path();
-  const std::string folder = parent.empty() ? "." : parent.string();
-  const process::Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.number() >= 0) ::fsync(opened.number());
-}
-
 [[noreturn]] void refuse_way(const std::string& path, std::string_view why) {
   throw UsageError(path + ": " + std::string(why) +
                    ", and is not written, as no argument names it");
+}
+
+/// May it be read or not: it is enough that it can be entered.
+process::Descriptor open_folder(const std::string& folder, const std::string& path) {
+  process::Descriptor opened(
+      ::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (opened.number() < 0) fail(path, errno);
+  return opened;
 }
 
 /// A folder in an open folder, made where there is none.
@@ -91,7 +74,8 @@ process::Descriptor open_below(const process::Descriptor& above, const std::stri
   throw UsageError(path + ": cannot be created: " + std::generic_category().message(error));
 }
 
-/// Mode and owner for what takes the place of a name in an open folder.
+/// Mode and owner for what takes the place of a name in an open folder. Where the owner may not be kept, it is the
+/// caller's then.
 void take_after(int file, const process::Descriptor& folder, const std::string& name,
                 const std::string& path) {
   struct stat status = {};
@@ -99,10 +83,17 @@ void take_after(int file, const process::Descriptor& folder, const std::string& 
   if (S_ISLNK(status.st_mode)) refuse_way(path, "is a link");
   if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
   if (!S_ISREG(status.st_mode)) refuse_way(path, "is no regular file");
-  if (::fchown(file, status.st_uid, status.st_gid) != 0) {
-    // It is the caller's then.
-  }
+  if ((status.st_mode & 0222U) == 0) throw UsageError(path + ": is read-only, and is not written");
+  [[maybe_unused]] const int owned = ::fchown(file, status.st_uid, status.st_gid);
   if (::fchmod(file, status.st_mode & 07777U) != 0) fail(path, errno);
+}
+
+/// The name in the folder is on the disk only then. A folder that cannot be synchronized (no permission to read it,
+/// a network's file system) is no failure: after a crash there is the old file or the new one, and both are whole.
+void sync(const process::Descriptor& folder) {
+  const process::Descriptor opened(
+      ::openat(folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.number() >= 0) ::fsync(opened.number());
 }
 
 /// Bytes that are to be a file's, which is as it was unless `commit` is called.
@@ -113,16 +104,12 @@ class StagedFile {
 };
 
 /// A new file beside the name that it is to get in an open folder, gone unless it gets that.
-class StagedBelow final : public StagedFile {
+class StagedBeside final : public StagedFile {
  public:
-  StagedBelow(process::Descriptor folder, std::string name, std::string path,
-              std::string_view bytes)
+  StagedBeside(process::Descriptor folder, std::string name, std::string path,
+               std::string_view bytes)
       : folder_(std::move(folder)), name_(std::move(name)), path_(std::move(path)) {
-    // What a run that was killed left behind has another number.
-    temporary_ = name_ + '.' + std::to_string(::getpid()) + ".new";
-    process::Descriptor file(::openat(folder_.number(), temporary_.c_str(),
-                                      O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-    if (file.number() < 0) fail(path_, errno);
+    process::Descriptor file = create_temporary();
     try {
       fill(file, bytes);
     } catch (...) {
@@ -130,20 +117,35 @@ class StagedBelow final : public StagedFile {
       throw;
     }
   }
-  ~StagedBelow() override {
+  ~StagedBeside() override {
     if (!temporary_.empty()) remove_temporary();
   }
-  StagedBelow(const StagedBelow&) = delete;
-  StagedBelow& operator=(const StagedBelow&) = delete;
+  StagedBeside(const StagedBeside&) = delete;
+  StagedBeside& operator=(const StagedBeside&) = delete;
 
   void commit() override {
     if (::renameat(folder_.number(), temporary_.c_str(), folder_.number(), name_.c_str()) != 0)
       fail(path_, errno);
     temporary_.clear();
-    ::fsync(folder_.number());  // as in `sync_folder_of`
+    sync(folder_);
   }
 
  private:
+  /// A run that was killed leaves its own behind: of that another name is taken.
+  process::Descriptor create_temporary() {
+    constexpr int kAttempts = 100;
+    std::random_device random;
+    for (int i = 0; i < kAttempts; ++i) {
+      temporary_ = name_ + '.' + std::to_string(random()) + ".new";
+      process::Descriptor file(::openat(folder_.number(), temporary_.c_str(),
+                                        O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                                        0666));
+      if (file.number() >= 0) return file;
+      if (errno != EEXIST) break;
+    }
+    fail(path_, errno);
+  }
+
   void remove_temporary() const { ::unlinkat(folder_.number(), temporary_.c_str(), 0); }
 
   void fill(process::Descriptor& file, std::string_view bytes) const {
@@ -157,41 +159,6 @@ class StagedBelow final : public StagedFile {
   process::Descriptor folder_;
   std::string name_;
   std::string path_;
-  std::string temporary_;
-};
-
-/// The same by a path, of which a link is followed.
-class StagedBeside final : public StagedFile {
- public:
-  StagedBeside(std::string path, std::string target, std::string_view bytes)
-      : path_(std::move(path)), target_(std::move(target)), temporary_(target_ + ".XXXXXX") {
-    process::Descriptor file(::mkstemp(temporary_.data()));
-    if (file.number() < 0) fail(path_, errno);
-    int error = write_all(file.number(), bytes);
-    keep_owner(file.number(), target_);
-    if (error == 0 && ::fchmod(file.number(), mode_for(target_)) != 0) error = errno;
-    // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
-    if (error == 0 && ::fsync(file.number()) != 0) error = errno;
-    if (const int closed = file.close(); error == 0) error = closed;
-    if (error == 0) return;
-    ::unlink(temporary_.c_str());
-    fail(path_, error);
-  }
-  ~StagedBeside() override {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  }
-  StagedBeside(const StagedBeside&) = delete;
-  StagedBeside& operator=(const StagedBeside&) = delete;
-
-  void commit() override {
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
-    temporary_.clear();
-    sync_folder_of(target_);
-  }
-
- private:
-  std::string path_;
-  std::string target_;
   std::string temporary_;
 };
 
@@ -214,16 +181,14 @@ std::unique_ptr<StagedFile> staged_below(const std::string& folder, std::string_
   if (is_absolute(below) || below == "." || below == ".." || below.starts_with("../")) {
     throw UsageError(std::string(name) + ": lies outside of " + folder + ", and is not written");
   }
-  const std::string above = folder.empty() ? "." : folder;
-  process::Descriptor at(::open(above.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (at.number() < 0) fail(whole, errno);
+  process::Descriptor at = open_folder(folder, whole);
   std::size_t begin = 0;
   for (std::size_t slash = 0; (slash = below.find('/', begin)) != std::string::npos;) {
     at = open_below(at, below.substr(begin, slash - begin),
                     join_path(folder, below.substr(0, slash)));
     begin = slash + 1;
   }
-  return std::make_unique<StagedBelow>(std::move(at), below.substr(begin), whole, bytes);
+  return std::make_unique<StagedBeside>(std::move(at), below.substr(begin), whole, bytes);
 }
 
 std::unique_ptr<StagedFile> staged_file(const std::string& path, std::string_view bytes) {
@@ -232,10 +197,12 @@ std::unique_ptr<StagedFile> staged_file(const std::string& path, std::string_vie
   if (fs::is_directory(status)) fail(path, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status))
     return std::make_unique<StagedDirectly>(path, bytes);
-  const fs::path followed = fs::is_symlink(fs::symlink_status(path, ignored))
-                                ? fs::weakly_canonical(path, ignored)
-                                : fs::path(path);
-  return std::make_unique<StagedBeside>(path, followed.empty() ? path : followed.string(), bytes);
+  fs::path target = path;
+  if (fs::is_symlink(fs::symlink_status(path, ignored)))
+    target = fs::weakly_canonical(path, ignored);
+  if (!target.has_filename()) target = path;
+  return std::make_unique<StagedBeside>(open_folder(target.parent_path().string(), path),
+                                        target.filename().string(), path, bytes);
 }
 
 std::unique_ptr<StagedFile> staged_found(const std::vector<std::string>& named,
