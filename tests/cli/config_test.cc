@@ -158,6 +158,47 @@ TEST_F(ConfigFile, Resolve) {
   EXPECT_EQ(folder_.rigor("resolve package://tyre/mesh.stl --from a/arm.sdf --isolated").exit, 1);
 }
 
+/// A tensor that no body has, a mesh without triangles, and a warning of a conversion.
+TEST_F(ConfigFile, HoldsForCommandsWithRulesOfTheirOwn) {
+  folder_.put("hull.stl", "solid nothing\nendsolid nothing\n");
+  folder_.put("loss.sdf", R"(<sdf version="1.9"><model name="m">
+    <link name="a"><gravity>false</gravity></link></model></sdf>)");
+  folder_.put("bad.sdf", R"(<sdf version="1.9"><model name="m"><link name="a"><inertial>
+    <inertia><ixx>1</ixx><iyy>1</iyy><izz>9</izz></inertia></inertial></link></model></sdf>)");
+  const std::string all[] = {"simulate bad.sdf", "mesh-check hull.stl"};
+  for (const std::string& command : all) {
+    config("");
+    EXPECT_EQ(folder_.rigor(command).exit, 1) << command;
+    config("fail-on = \"never\"\n");
+    EXPECT_EQ(folder_.rigor(command).exit, 0) << command;
+    EXPECT_EQ(folder_.rigor(command + " --fail-on error").exit, 1) << command;
+  }
+  const std::string convert = "sdf2urdf loss.sdf -o loss.urdf";
+  config("");
+  EXPECT_EQ(folder_.rigor(convert).exit, 0);
+  config("fail-on = \"warning\"\nselect = [\"naming\"]\n");
+  EXPECT_EQ(folder_.rigor(convert).exit, 1) << "what is selected is for validate";
+}
+
+TEST_F(ConfigFile, EachCommandRefusesABrokenOne) {
+  config("a = = 3\n");
+  const std::string all[] = {
+      "inspect a/arm.sdf",
+      "inertia a/arm.sdf",
+      "diff a/arm.sdf b/arm.sdf",
+      "sdf2urdf a/arm.sdf",
+      "simulate a/arm.sdf",
+      "upgrade a/arm.sdf --to 1.10",
+      "edit rename hand paw a/arm.sdf",
+      "expand a/arm.sdf",
+  };
+  for (const std::string& command : all) {
+    const Ran ran = folder_.rigor(command);
+    EXPECT_EQ(ran.exit, 2) << command;
+    EXPECT_TRUE(says(ran.err, "rigor.toml:1: ")) << ran.err;
+  }
+}
+
 TEST_F(ConfigFile, ShowConfigTellsWhoSaysIt) {
   config("ignore = ['axis-not-unit']\n[[per-file]]\nfiles = ['a/**']\nignore = ['plugin']\n");
   folder_.put("b/rigor.toml", "extend = '../rigor.toml'\nfail-on = 'warning'\n");

@@ -29,11 +29,9 @@ struct Seeded {
 };
 
 constexpr Seeded kTargets[] = {
-    {fuzz_config, "fuzz_config"},     {fuzz_conversion, "fuzz"},
-    {fuzz_lsp, "fuzz_lsp"},           {fuzz_results, "fuzz_results"},
-    {fuzz_scenario, "fuzz_scenario"}, {fuzz_scene, "fuzz_mesh"},
-    {fuzz_stl, "fuzz_mesh"},          {fuzz_validate, "fuzz"},
-    {fuzz_xacro, "xacro/fuzz"},
+    {fuzz_config, "fuzz_config"},   {fuzz_conversion, "fuzz"},        {fuzz_lsp, "fuzz_lsp"},
+    {fuzz_results, "fuzz_results"}, {fuzz_scenario, "fuzz_scenario"}, {fuzz_scene, "fuzz_mesh"},
+    {fuzz_stl, "fuzz_mesh"},        {fuzz_validate, "fuzz"},          {fuzz_xacro, "xacro/fuzz"},
 };
 
 std::string bytes_of(const std::filesystem::path& file) {

@@ -23,8 +23,9 @@ namespace {
 using simulate::Facts;
 
 /// The rules that refer to simulations, unless others are asked for.
-rules::Selection simulation_rules(const rules::Selection& chosen) {
-  rules::Selection selection = chosen;
+rules::Selection simulation_rules(const SimulationOptions& options, const std::string& path) {
+  rules::Selection selection =
+      options.selection_for ? options.selection_for(path) : options.selection;
   if (selection.select.empty()) selection.select = {"simulate"};
   return selection;
 }
@@ -150,18 +151,19 @@ Simulator::Simulator(const Environment& environment, const Sources& sources,
     : environment_(environment),
       sources_(sources),
       workspace_(workspace),
-      options_(std::move(options)) {
-  options_.selection = simulation_rules(options_.selection);
-}
+      options_(std::move(options)) {}
 
 PreparedModel Simulator::prepare(const read::Loaded& loaded,
                                  const model::JointPositions& positions) const {
+  rules::Selection selection = simulation_rules(options_, loaded.file->path);
   if (const std::optional<simulate::Fact> fault = not_well_formed(loaded)) {
-    return {loaded, {{}, {*fault}}, {}, {}, {}};
+    return {loaded, {{}, {*fault}}, {}, {}, {}, std::move(selection)};
   }
   const simulate::SceneFiles files(loaded, workspace_, environment_.resolver, environment_.workers,
                                    positions);
-  PreparedModel model{loaded, simulate::build_scene(files.input(), options_.scene), {}, {}};
+  PreparedModel model{loaded, simulate::build_scene(files.input(), options_.scene),
+                      {},     {},
+                      {},     std::move(selection)};
   simulate::Scene& scene = model.made.scene;
   const SolverChoice& solver = options_.solver;
   if (solver.step) scene.solver.step = *solver.step;
@@ -276,7 +278,7 @@ Diagnostics Simulator::told(const SimulationCase& one, const Facts& facts) const
   for (simulate::Fact& fact : asked) {
     if (is_cause(fact)) fact.test.clear();
   }
-  const rules::Runner runner(environment_.registry, options_.selection);
+  const rules::Runner runner(environment_.registry, one.model->selection);
   const std::vector<Diagnostics> said =
       runner.run_each(environment_, sources_, one.model->loaded, asked);
   std::vector<Diagnostic> list;

@@ -39,6 +39,8 @@ struct SolverChoice {
 
 struct SimulationOptions {
   rules::Selection selection;  ///< when it selects nothing, the category `simulate`
+  /// That of the model at a path, where models differ; `selection` is for all when empty.
+  std::function<rules::Selection(const std::string& path)> selection_for;
   simulate::SceneOptions scene;
   simulate::Plan plan;
   SolverChoice solver;
@@ -56,7 +58,8 @@ struct PreparedModel {
   simulate::SceneResult made;
   simulate::Facts causes;
   simulate::DriveTrain wheels;
-  std::string note;  ///< of the pose that its legs begin in, where one was chosen for it
+  std::string note;            ///< of the pose that its legs begin in, where one was chosen for it
+  rules::Selection selection;  ///< which rules say what its runs show
 };
 
 struct SimulationCase {

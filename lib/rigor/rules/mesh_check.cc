@@ -24,7 +24,8 @@ namespace {
 constexpr std::string_view kModels[] = {".sdf",   ".world", ".urdf",  ".config",
                                         ".xacro", ".erb",   ".jinja", ".xml"};
 
-Selection meshes_unless_selected(Selection selection) {
+Selection meshes_unless_selected(const MeshCheckOptions& options, const std::string& path) {
+  Selection selection = options.selection_for ? options.selection_for(path) : options.selection;
   if (selection.select.empty()) selection.select = {std::string(to_string(Category::kMesh))};
   return selection;
 }
@@ -37,9 +38,7 @@ class MeshRun {
         options_(options),
         files_(files),
         sources_(sources),
-        workspace_(environment.resolver, sources),
-        runner_(environment.registry, meshes_unless_selected(options.selection)),
-        reading_(environment.registry, {.ignore = options.selection.ignore}) {}
+        workspace_(environment.resolver, sources) {}
 
   MeshCheckResult run() {
     for (const std::string& path : options_.paths) {
@@ -57,7 +56,16 @@ class MeshRun {
   void check_file(const std::string& path) {
     const mass::MeshFacts& facts = files_.find(path, mass::MeshDepth::kFile);
     result_.meshes.push_back({&facts});
-    result_.diagnostics.take(runner_.run(environment_, sources_, facts));
+    result_.diagnostics.take(runner_of(path).run(environment_, sources_, facts));
+  }
+
+  Runner runner_of(const std::string& path) const {
+    return {environment_.registry, meshes_unless_selected(options_, path)};
+  }
+
+  /// Of what keeps a model from being read.
+  Runner reader_of(const std::string& path) const {
+    return {environment_.registry, {.ignore = meshes_unless_selected(options_, path).ignore}};
   }
 
   void check_models(const std::string& path) {
@@ -79,14 +87,14 @@ class MeshRun {
     const read::Loaded loaded = read::load(reader, workspace_.open(path));
     if (loaded.file->expanded && !loaded.file->expanded->ok()) {
       const std::vector<xacro::Fact>& facts = loaded.file->expanded->expansion().facts;
-      Diagnostics found = reading_.run(environment_, sources_, loaded, facts);
+      Diagnostics found = reader_of(path).run(environment_, sources_, loaded, facts);
       return result_.diagnostics.take(with_calls(std::move(found), facts));
     }
     if (!is_read(loaded)) return tell_unread(loaded);
     first_of_model_ = result_.meshes.size();
     list_meshes(loaded, loaded.root.collisions);
     list_meshes(loaded, loaded.root.visuals);
-    Diagnostics found = runner_.run(environment_, sources_, loaded, {.files = &files_});
+    Diagnostics found = runner_of(path).run(environment_, sources_, loaded, {.files = &files_});
     const auto& document = loaded.file->document;
     if (document) found = Suppressions(*document).uncovered(std::move(found));
     TemplateFindings once(sources_);
@@ -101,7 +109,8 @@ class MeshRun {
 
   /// It is unknown which meshes such a file would name.
   void tell_unread(const read::Loaded& loaded) {
-    const Diagnostics found = reading_.run(environment_, sources_, loaded, Meshes{});
+    const Diagnostics found =
+        reader_of(loaded.file->path).run(environment_, sources_, loaded, Meshes{});
     for (const Diagnostic& one : found.list()) {
       if (one.severity == Severity::kError) result_.diagnostics.add(one);
     }
@@ -134,8 +143,6 @@ class MeshRun {
   mass::MeshFiles& files_;
   Sources& sources_;
   read::Workspace workspace_;
-  Runner runner_;
-  Runner reading_;  // of what keeps a model from being read
   std::size_t first_of_model_ = 0;
   MeshCheckResult result_;
 };

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,8 @@ struct MeshCheckOptions {
   /// Mesh files, models, and folders that hold models.
   std::vector<std::string> paths;
   Selection selection;  ///< when it selects nothing, the category `mesh`
+  /// That of the mesh or model at a path, where they differ; `selection` is for all when empty.
+  std::function<Selection(const std::string& path)> selection_for = {};
 };
 
 /// A mesh file at one scale.

@@ -117,11 +117,16 @@ class Report final : public Command {
     const TeamReportForm form = asked_form();
     report::TeamReportOptions options{form, a_.paths, budget()};
     if (options.paths.empty()) options.paths.emplace_back(".");
-    const author::SimulationOptions simulation = simulation_options();
+    author::SimulationOptions simulation = simulation_options();
     a_.search.config().open();
-    const GuardedDisk disk = a_.search.disk(a_.named());
+    const GuardedDisk disk = a_.search.unchecked_disk(a_.named());
     Checking checking(a_, disk);
     checking.refuse_bad_settings();
+    simulation.selection_for = [&checking](const std::string& path) {
+      rules::Selection selection = checking.settings().selection_of_command(path);
+      selection.select.clear();  // what --select names are rules on files
+      return selection;
+    };
     baseline_.read(a_.search.config().disk(),
                    a_.search.config().baseline(checking.options().paths));
 
@@ -163,9 +168,6 @@ class Report final : public Command {
     for (const std::string& test : tests_) choice("test", test, simulate::kTestNames);
     options.plan.tests = tests_.empty() ? std::vector<std::string>{"settle"} : tests_;
     options.jobs = a_.jobs > 0 ? a_.jobs : std::max(1U, std::thread::hardware_concurrency());
-    // What --select names are rules on files; those on simulations go with the tests.
-    options.selection = a_.selection.selection();
-    options.selection.select.clear();
     return options;
   }
 

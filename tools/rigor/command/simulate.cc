@@ -24,8 +24,8 @@
 #include "command/command.h"
 #include "model/model_file.h"
 #include "model/render_model.h"
+#include "option/rule_settings.h"
 #include "option/search.h"
-#include "option/selection.h"
 #include "option/simulation_options.h"
 #include "output/output.h"
 #include "output/progress.h"
@@ -73,8 +73,10 @@ class Simulate final : public Command {
     Environment environment(disk, search_.paths());
     search_.allow(environment.workers);
     author::SimulationOptions options = choices_.options(disk);
-    options.selection = selection_.selection();
-    require_known(options.selection, environment.registry);
+    const RuleSettings settings(selection_, search_.config(), environment.registry);
+    options.selection_for = [&settings](const std::string& path) {
+      return settings.selection_of_command(path);
+    };
     require_engines(options, environment);
     CountProgress progress("runs");
     options.progress = [&progress](std::size_t done, std::size_t of) { progress.at(done, of); };
@@ -102,7 +104,7 @@ class Simulate final : public Command {
     for (const read::Loaded& file : loaded) roots.push_back(&file.root);
     // Another shard's model may be the one.
     if (loaded.size() == files_) require_model(options.scene.model, roots);
-    return conclude(simulator, models, grid, targets, sources, disk.reach());
+    return conclude(simulator, models, grid, targets, sources, disk.reach(), settings);
   }
 
  private:
@@ -176,7 +178,7 @@ class Simulate final : public Command {
 
   int conclude(const author::Simulator& simulator, const std::deque<author::PreparedModel>& models,
                const std::vector<simulate::Case>& grid, const std::vector<Target>& targets,
-               const Sources& sources, const Reach& reach) {
+               const Sources& sources, const Reach& reach, const RuleSettings& settings) {
     const std::vector<author::SimulationCase> all = all_cases(models, grid);
     for (const author::PreparedModel& model : models) {
       refuse_problems(model, simulator.planned({&model, {}}));
@@ -189,7 +191,7 @@ class Simulate final : public Command {
     if (resume_) {
       results.read([&](const KeptResult& kept, const std::string& where) {
         require_same(kept, where, all, simulator);
-        if (kept.worst && selection_.fails(*kept.worst)) ++failed_before;
+        if (kept.worst && settings.fails(kept.model, *kept.worst)) ++failed_before;
       });
     }
     const std::vector<author::SimulationCase> cases = to_run(all, results);
@@ -209,7 +211,7 @@ class Simulate final : public Command {
       simulator.run({first, first + count}, [&](std::size_t i, author::SimulatedModel result) {
         result.cases = all.size();
         result.diagnostics = withheld(result.diagnostics, sources, reach);
-        fails = fails || selection_.fails(result.diagnostics);
+        fails = fails || settings.fails(result.path, result.diagnostics);
         std::string line = report::simulation_line(result, sources);
         results.add(result.one.index, line);
         if (prints_lines) lines[begin + i] = std::move(line);

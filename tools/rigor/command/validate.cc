@@ -103,7 +103,7 @@ class Validate final : public Command {
     a_.all_arguments = !xacro_args_.empty();
     a_.search.config().open();
     if (a_.watch) return watch_files();
-    const GuardedDisk disk = a_.search.disk(a_.named());
+    const GuardedDisk disk = a_.search.unchecked_disk(a_.named());
     Checking checking(a_, disk);
     if (a_.show_config.asked()) {
       return a_.show_config.run(checking.settings(), a_.search.config(), a_.output);
@@ -160,7 +160,7 @@ class Validate final : public Command {
     if (a_.fix.asked() || std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
       throw UsageError("--watch cannot be combined with - (stdin) or with fixes");
     }
-    const GuardedDisk real = a_.search.disk(a_.named());
+    const GuardedDisk real = a_.search.unchecked_disk(a_.named());
     a_.baseline.read(a_.search.config().disk(), a_.search.config().baseline(a_.paths));
     return watch(
         real,

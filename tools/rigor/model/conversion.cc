@@ -22,6 +22,7 @@
 
 #include "model/model_file.h"
 #include "model/robot_file.h"
+#include "option/rule_settings.h"
 #include "output/atomic_file.h"
 
 namespace rigor::tool {
@@ -128,8 +129,8 @@ int ConversionCommand::run(const Convert& convert) const {
     return kFindings;
   }
   author::ConversionOptions options;
-  options.selection = selection_.selection();
-  require_known(options.selection, environment.registry);
+  const RuleSettings settings(selection_, search_.config(), environment.registry);
+  options.selection = settings.selection_of_command(file.path);
   options.proof = no_verify_ || !check_.empty() ? author::Proof::kNone : author::Proof::kVerify;
   options.losses = allow_loss_ ? author::Losses::kAllowed : author::Losses::kRefused;
   if (header_) options.header = author::AccountHeader::kComment;
@@ -148,7 +149,7 @@ int ConversionCommand::run(const Convert& convert) const {
     return kFindings;
   }
   write_result(result);
-  return selection_.fails(result.diagnostics) ? kFindings : kClean;
+  return settings.fails(file.path, result.diagnostics) ? kFindings : kClean;
 }
 
 void ConversionCommand::tell(const author::Conversion& result, const Sources& sources) const {

@@ -147,6 +147,13 @@ rules::Selection RuleSettings::selection(const std::string& path) const {
   return selection;
 }
 
+rules::Selection RuleSettings::selection_of_command(const std::string& path) const {
+  rules::Selection selection = this->selection(path);
+  selection.select = given_.select;
+  selection.targets = given_.targets;
+  return selection;
+}
+
 std::optional<Severity> RuleSettings::fail_on(const std::string& path) const {
   return fail_on_level(said(path).fail_on.value);
 }
@@ -163,12 +170,16 @@ bool RuleSettings::fails(const rules::ValidateResult& result) const {
   });
 }
 
+bool RuleSettings::fails(const std::string& path, Severity severity) const {
+  const std::optional<Severity> level = fail_on(path);
+  return level && severity <= *level;
+}
+
 bool RuleSettings::fails(const std::string& path, const Diagnostics& found) const {
-  const auto level = fail_on_level(said(path).fail_on.value);
   const auto& all = found.list();
-  return level && std::any_of(all.begin(), all.end(), [&](const Diagnostic& diagnostic) {
-           return diagnostic.severity <= *level;
-         });
+  return std::any_of(all.begin(), all.end(), [&](const Diagnostic& diagnostic) {
+    return fails(path, diagnostic.severity);
+  });
 }
 
 }  // namespace rigor::tool

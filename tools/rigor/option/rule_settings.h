@@ -57,13 +57,17 @@ class RuleSettings {
   /// it. For use by one thread.
   SaidOfFile said(const std::string& path) const;
   rules::Selection selection(const std::string& path) const;
+  /// For a command with rules of its own, as a simulation's: what a configuration selects and targets is for
+  /// `validate`, and left out.
+  rules::Selection selection_of_command(const std::string& path) const;
 
   /// Whether any finding is at or above the level of its own file.
   bool fails(const rules::ValidateResult& result) const;
   /// The least severity that fails the run, of a file; nothing when none does.
   std::optional<Severity> fail_on(const std::string& path) const;
+  bool fails(const std::string& path, Severity severity) const;
 
-  /// The same of what a simulation found about one file.
+  /// The same of what another command found about one file.
   bool fails(const std::string& path, const Diagnostics& found) const;
 
  private:

@@ -86,6 +86,13 @@ void SearchOptions::allow(process::Workers& workers) const {
 }
 
 GuardedDisk SearchOptions::disk(const std::vector<std::string>& named) const {
+  for (const std::string& path : named) {
+    if (!path.empty()) config_.of(path);
+  }
+  return unchecked_disk(named);
+}
+
+GuardedDisk SearchOptions::unchecked_disk(const std::vector<std::string>& named) const {
   return GuardedDisk(Reach(named, paths()), config_.confinement());
 }
 

@@ -32,8 +32,11 @@ class SearchOptions {
   /// As much memory for imports as was asked for.
   void allow(process::Workers& workers) const;
 
-  /// For what a command is asked to do with these paths: within `--confine`, and with their reach.
+  /// For what a command is asked to do with these paths: within `--confine`, and with their reach. A UsageError
+  /// when the configuration of one cannot be used.
   GuardedDisk disk(const std::vector<std::string>& named) const;
+  /// The same for one who refuses these configurations with `RuleSettings`, which knows the names of rules, too.
+  GuardedDisk unchecked_disk(const std::vector<std::string>& named) const;
 
  private:
   std::vector<std::string> model_paths_;

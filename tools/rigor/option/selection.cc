@@ -66,16 +66,6 @@ rules::Selection SelectionOptions::selection() const {
   return selection;
 }
 
-bool SelectionOptions::fails(Severity severity) const {
-  const auto level = fail_on_.empty() ? Severity::kError : fail_on_level(fail_on_);
-  return level && severity <= *level;
-}
-
-bool SelectionOptions::fails(const Diagnostics& diagnostics) const {
-  return std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
-                     [this](const Diagnostic& each) { return fails(each.severity); });
-}
-
 std::optional<Severity> fail_on_level(const std::string& name) {
   constexpr std::optional<Severity> kLevels[] = {Severity::kError, Severity::kWarning,
                                                  Severity::kInfo, std::nullopt};

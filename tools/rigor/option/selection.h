@@ -27,10 +27,6 @@ class SelectionOptions {
   /// A UsageError when a value is none. Names of rules are left to `require_known`.
   rules::Selection selection() const;
 
-  /// Whether any is at or above the level of `--fail-on`.
-  bool fails(const Diagnostics& diagnostics) const;
-  bool fails(Severity severity) const;
-
   /// The level that `--fail-on` names; empty when it is not given.
   const std::string& fail_on() const { return fail_on_; }
 

@@ -16,7 +16,6 @@
 #include <rigor/text/grouping.h>
 
 #include "command/command.h"
-#include "option/selection.h"
 
 namespace rigor::tool {
 namespace {
@@ -90,12 +89,15 @@ MeshChecking::MeshChecking(const MeshCheckArguments& arguments)
       real_(arguments.search.disk(arguments.paths)),
       disk_(real_),
       environment_(disk_, arguments.search.paths()),
+      settings_(arguments.selection, arguments.search.config(), environment_.registry),
       cache_(arguments.cache.cache(environment_.workers)),
       files_(disk_, mass::MeshDepth::kAll,
              {.cache = cache_ ? &*cache_ : nullptr, .workers = &environment_.workers}) {
   arguments.search.allow(environment_.workers);
-  rules::MeshCheckOptions options{arguments.paths, arguments.selection.selection()};
-  require_known(options.selection, environment_.registry);
+  rules::MeshCheckOptions options{.paths = arguments.paths};
+  options.selection_for = [this](const std::string& path) {
+    return settings_.selection_of_command(path);
+  };
   result_ = rules::mesh_check(environment_, options, files_, sources_);
   result_.diagnostics = withheld(result_.diagnostics, sources_, real_.reach());
 }
@@ -122,7 +124,10 @@ int MeshChecking::conclude(const MeshWork& work) const {
   if (!result_.unusable.empty()) return kUsage;
   say(report::counted(result_.meshes.size(), "mesh", "meshes") + " checked" +
       report::findings(grouped(result_.diagnostics)));
-  return arguments_.selection.fails(result_.diagnostics) ? kFindings : kClean;
+  const bool fails = std::any_of(
+      arguments_.paths.begin(), arguments_.paths.end(),
+      [&](const std::string& path) { return settings_.fails(path, result_.diagnostics); });
+  return fails ? kFindings : kClean;
 }
 
 std::unique_ptr<Command> mesh_check_command() { return std::make_unique<MeshCheck>(); }

@@ -19,6 +19,7 @@
 #include <rigor/text/sources.h>
 
 #include "option/mesh_operation_options.h"
+#include "option/rule_settings.h"
 #include "option/search.h"
 #include "option/selection.h"
 #include "output/output.h"
@@ -70,6 +71,7 @@ class MeshChecking {
   GuardedDisk real_;
   ProgressDisk disk_;
   Environment environment_;
+  RuleSettings settings_;
   std::optional<mass::MeshCache> cache_;
   mass::MeshFiles files_;
   Sources sources_;
