@@ -217,5 +217,101 @@ TEST(Resolver, NeverGoesToTheNetwork) {
   EXPECT_FALSE(missing.path);
 }
 
+void put_package(MemoryDisk& disk, const std::string& folder, const std::string& name) {
+  disk.put(folder + "/package.xml", "<package><name>" + name + "</name></package>");
+  disk.put(folder + "/meshes/a.stl", "x");
+}
+
+/// `$(find NAME)` and `package://NAME` know the same packages.
+void expect_both_find(const Disk& disk, const SearchPaths& search, const std::string& file,
+                      const std::optional<std::string>& folder) {
+  const Resolver resolver(disk, search);
+  EXPECT_EQ(resolver.package_folder("lidar", file), folder) << file;
+  const auto mesh = resolver.resolve("package://lidar/meshes/a.stl", file).path;
+  EXPECT_EQ(mesh, folder ? std::optional(*folder + "/meshes/a.stl") : std::nullopt) << file;
+}
+
+TEST(Resolver, AWorkspaceOfRepositoriesIsSearched) {
+  const std::string file = "/ws/src/robots/arm/urdf/a.urdf.xacro";
+  const std::vector<std::vector<std::string>> marks{
+      {}, {"/ws/.git/HEAD"}, {"/ws/src/robots/.git/HEAD", "/ws/src/sensors/.git/HEAD"}};
+  for (const std::vector<std::string>& marked : marks) {
+    MemoryDisk disk = disk_with(marked);
+    put_package(disk, "/ws/src/robots/arm", "arm");
+    put_package(disk, "/ws/src/sensors/some_lidar", "lidar");
+    expect_both_find(disk, {}, file, "/ws/src/sensors/some_lidar");
+  }
+  // What builds a workspace tells of it where a file is not in `src`.
+  MemoryDisk disk = disk_with({"/ws/install/setup.bash", "/ws/sim/worlds/a.world"});
+  put_package(disk, "/ws/src/sensors/some_lidar", "lidar");
+  expect_both_find(disk, {}, "/ws/sim/worlds/a.world", "/ws/src/sensors/some_lidar");
+  MemoryDisk built_by_nobody = disk_with({"/ws/sim/worlds/a.world"});
+  put_package(built_by_nobody, "/ws/src/sensors/some_lidar", "lidar");
+  expect_both_find(built_by_nobody, {}, "/ws/sim/worlds/a.world", std::nullopt);
+}
+
+TEST(Resolver, APackageDeepInTheSameRepositoryIsFound) {
+  MemoryDisk disk;
+  put_package(disk, "/my_robot/arm", "arm");
+  put_package(disk, "/my_robot/sensors/lidar", "lidar");
+  expect_both_find(disk, {}, "/my_robot/arm/urdf/a.urdf", "/my_robot/sensors/lidar");
+  // A submodule's packages, and those of the repository around it.
+  MemoryDisk submodule = disk_with({"/r/.git/HEAD", "/r/deps/arm/.git"});
+  put_package(submodule, "/r/deps/arm/arm", "arm");
+  put_package(submodule, "/r/ours/some_lidar", "lidar");
+  expect_both_find(submodule, {}, "/r/deps/arm/arm/urdf/a.urdf", "/r/ours/some_lidar");
+}
+
+TEST(Resolver, WhatBuildToolsLeaveOutHasNoPackages) {
+  for (const std::string marker : {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}) {
+    MemoryDisk disk = disk_with({"/ws/.git/HEAD", "/ws/old/" + marker});
+    put_package(disk, "/ws/arm", "arm");
+    put_package(disk, "/ws/old/some_lidar", "lidar");
+    expect_both_find(disk, {}, "/ws/arm/a.urdf", std::nullopt);
+  }
+  for (const std::string folder : {"build", "install", "log", ".hidden"}) {
+    MemoryDisk disk = disk_with({"/ws/.git/HEAD"});
+    put_package(disk, "/ws/arm", "arm");
+    put_package(disk, "/ws/" + folder + "/some_lidar", "lidar");
+    expect_both_find(disk, {}, "/ws/arm/a.urdf", std::nullopt);
+  }
+}
+
+TEST(Resolver, OfTwoPackagesOfOneNameTheNearerIsTaken) {
+  MemoryDisk disk = disk_with({"/ws/.git/HEAD"});
+  put_package(disk, "/ws/a/some_lidar", "lidar");
+  put_package(disk, "/ws/b/some_lidar", "lidar");
+  put_package(disk, "/ws/b/arm", "arm");
+  put_package(disk, "/ws/c/arm", "arm");
+  expect_both_find(disk, {}, "/ws/b/arm/urdf/a.urdf", "/ws/b/some_lidar");
+  expect_both_find(disk, {}, "/ws/c/arm/urdf/a.urdf", "/ws/a/some_lidar");
+}
+
+TEST(Resolver, FoldersOfTheEnvironmentAndOfTheCommandAreSearchedWithAllBelow) {
+  MemoryDisk disk = disk_with({"/robots/arm/urdf/a.urdf"});
+  put_package(disk, "/ros/group/some_lidar", "lidar");
+  expect_both_find(disk, paths(), "/robots/arm/urdf/a.urdf", "/ros/group/some_lidar");
+  SearchPaths named;
+  named.named = {"ros"};
+  named.templates.working_folder = "/";
+  expect_both_find(disk, named, "/robots/arm/urdf/a.urdf", "/ros/group/some_lidar");
+  expect_both_find(disk, {}, "/robots/arm/urdf/a.urdf", std::nullopt);
+}
+
+TEST(Resolver, ARelativePathLeadsToARelativeOne) {
+  MemoryDisk disk = disk_with({"/ws/.git/HEAD"});
+  put_package(disk, "/ws/arm", "arm");
+  put_package(disk, "/ws/sensors/some_lidar", "lidar");
+  disk.put("sensors/some_lidar/meshes/a.stl", "x");  // the same, as it is seen from /ws
+  SearchPaths search;
+  search.templates.working_folder = "/ws";
+  const Resolution found =
+      Resolver(disk, search).resolve("package://lidar/meshes/a.stl", "arm/urdf/a.urdf");
+  EXPECT_EQ(found.path, "sensors/some_lidar/meshes/a.stl");
+  const Resolution missing = Resolver(disk, search).resolve("package://radar/a.stl", "arm/a.urdf");
+  EXPECT_EQ(missing.tried.back().path, "**/package.xml");
+  EXPECT_EQ(missing.tried.back().origin, "none gives the package's name");
+}
+
 }  // namespace
 }  // namespace rigor::read

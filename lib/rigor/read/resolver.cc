@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <rigor/read/package_index.h>
 #include <rigor/text/letter_case.h>
 #include <rigor/text/path.h>
 
@@ -25,6 +26,16 @@ std::vector<SearchPath> split(const std::string& value, const std::string& origi
 }
 
 constexpr std::string_view kConfiguredOrigin = "rigor.toml";
+
+constexpr std::string_view kRosPath = "ROS_PACKAGE_PATH";
+constexpr std::string_view kAmentPath = "AMENT_PREFIX_PATH";
+
+std::vector<std::string> absolute_folders_of(const SearchPaths& paths) {
+  std::vector<std::string> folders;
+  for (const std::string& folder : paths.named)
+    folders.push_back(join_path(paths.templates.working_folder, folder));
+  return folders;
+}
 
 /// How many folders up a path of nothing but ".." leads, which has no end; 0 of any other path.
 std::ptrdiff_t folders_up(std::string_view path) {
@@ -57,8 +68,8 @@ SearchPaths search_paths_from(const std::function<std::string(const std::string&
                            "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"}) {
     add(paths.environment, name);
   }
-  add(paths.environment, "ROS_PACKAGE_PATH");
-  add(paths.environment, "AMENT_PREFIX_PATH", "share");
+  add(paths.environment, std::string(kRosPath));
+  add(paths.environment, std::string(kAmentPath), "share");
   if (const std::string home = variable("HOME"); !home.empty()) {
     paths.environment.push_back({join_path(home, ".gazebo/models"), "~/.gazebo/models"});
     paths.fuel_cache = join_path(home, ".gz/fuel");
@@ -68,6 +79,12 @@ SearchPaths search_paths_from(const std::function<std::string(const std::string&
   }
   return paths;
 }
+
+Resolver::Resolver(const Disk& disk, SearchPaths paths)
+    : disk_(disk),
+      paths_(std::move(paths)),
+      index_(std::make_shared<PackageIndex>(disk, absolute_folders_of(paths_))),
+      other_case_(std::make_shared<OtherCase>(disk)) {}
 
 Resolution Resolver::resolve(std::string_view uri, std::string_view file) const {
   Resolution result;
@@ -204,26 +221,92 @@ void Resolver::resolve_package(std::string_view rest, std::string_view file,
     if (try_package(paths->packages, kConfiguredOrigin)) return;
     if (try_configured(*paths, rest, result)) return;
   }
+  if (try_package_above(name, inside, file, result)) return;
+  if (try_package_around(name, inside, file, result)) return;
+  if (try_folders(paths_.environment, rest, result)) return;
+  try_below_environment(name, inside, file, result);
+}
+
+bool Resolver::try_package_above(const std::string& name, std::string_view inside,
+                                 std::string_view file, Resolution& result) const {
   std::string folder(parent_path(file));
   for (int i = 0; i < kMaxAncestors; ++i) {
     const std::optional<PackageManifest>& package = manifest(folder);
     if (package && package->name == name) {
-      if (try_path(join_path(folder, inside), "package.xml of the file's package", result)) return;
-      break;
+      return try_path(join_path(folder, inside), "package.xml of the file's package", result);
     }
     // A folder of the package's name, or one beside an ancestor: a workspace's `src`.
     if (file_name(folder) == name &&
         try_path(join_path(folder, inside), "folder of the package's name", result)) {
-      return;
+      return true;
     }
     std::string parent = enclosing_folder(folder);
     if (try_path(join_path(join_path(parent, name), inside), "beside the file's folders", result)) {
-      return;
+      return true;
     }
     if (parent == folder || folder == "/") break;
     folder = std::move(parent);
   }
-  try_folders(paths_.environment, rest, result);
+  return false;
+}
+
+bool Resolver::try_package_around(const std::string& name, std::string_view inside,
+                                  std::string_view file, Resolution& result) const {
+  const std::string& here = paths_.templates.working_folder;
+  const std::string folder(parent_path(join_path(here, file)));
+  // As the file's path is written: below the folder of the run it stays relative.
+  const auto written = [&](const std::string& path) {
+    return is_absolute(file) || here.empty() ? path : relative_path(here, path);
+  };
+  if (const auto found = index_->find_around(name, folder)) {
+    return try_path(join_path(written(*found), inside), "a package.xml around the file", result);
+  }
+  for (const std::string& root : index_->searched(folder)) {
+    result.tried.push_back(
+        {join_path(written(root), "**/package.xml"), "none gives the package's name"});
+  }
+  return false;
+}
+
+bool Resolver::try_below_environment(const std::string& name, std::string_view inside,
+                                     std::string_view file, Resolution& result) const {
+  return std::any_of(
+      paths_.environment.begin(), paths_.environment.end(), [&](const SearchPath& path) {
+        if (path.origin != kRosPath) return false;
+        const auto found = index_->find_below(name, path.folder, std::string(parent_path(file)));
+        return found && try_path(join_path(*found, inside), kRosPath, result);
+      });
+}
+
+std::optional<std::string> Resolver::package_folder(std::string_view name,
+                                                    std::string_view file) const {
+  const std::string package(name);
+  if (const auto given = paths_.packages.find(package); given != paths_.packages.end())
+    return given->second;
+  if (const ConfiguredPaths* paths = configured(file)) {
+    const auto named = paths->packages.find(package);
+    if (named != paths->packages.end()) return named->second;
+  }
+  const std::string folder(parent_path(file));
+  std::string at = folder;
+  for (int up = 0; up < kMaxAncestors; ++up) {
+    if (const std::optional<PackageManifest>& own = manifest(at)) {
+      if (own->name == name) return at;
+      break;
+    }
+    std::string above(parent_path(at));
+    if (above == at) break;
+    at = std::move(above);
+  }
+  if (auto found = index_->find_around(name, folder)) return found;
+  for (const SearchPath& path : paths_.environment) {
+    // The search paths have PREFIX/share, where packages lie.
+    std::string share = join_path(path.folder, name);
+    if (path.origin == kAmentPath && disk_.kind(share) == PathKind::kFolder) return share;
+    if (path.origin != kRosPath) continue;
+    if (auto found = index_->find_below(name, path.folder, folder)) return found;
+  }
+  return std::nullopt;
 }
 
 void Resolver::resolve_remote(std::string_view uri, Resolution& result) const {

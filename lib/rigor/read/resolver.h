@@ -6,8 +6,9 @@
 // `model://NAME/rest`, `package://NAME/rest`, `file://path`, a relative path: searched through, in
 // this order, the command line's `--model-path` and `--package`, the configuration's paths, the
 // file's own model folder and its neighbors, the nearest ancestor's `package.xml` (with the folders
-// of models that it tells Gazebo of, and `models` between it and the file), the environment variables
-// of Gazebo and ROS, `~/.gazebo/models`, and the Fuel cache. Nothing is ever downloaded.
+// of models that it tells Gazebo of, and `models` between it and the file), packages of the file's
+// repository and workspace, the environment variables of Gazebo and ROS, `~/.gazebo/models`, and the
+// Fuel cache. Nothing is ever downloaded.
 //
 //   Resolver resolver(disk, search_paths_from(environment));
 //   Resolution found = resolver.resolve("model://arm/meshes/a.stl", "worlds/lab.sdf");
@@ -30,6 +31,8 @@
 #include <rigor/text/other_case.h>
 
 namespace rigor::read {
+
+class PackageIndex;
 
 /// A folder to search in, and who named it: "--model-path", "GZ_SIM_RESOURCE_PATH".
 struct SearchPath {
@@ -63,6 +66,7 @@ struct SearchPaths {
   /// threads; what it gives is valid as long as the resolver.
   std::function<const ConfiguredPaths*(std::string_view file)> configured;
   TemplateInputs templates;
+  std::vector<std::string> named;  ///< folders that a command was given: packages in them are found
 };
 
 /// The paths that the environment's variables name; `variable` gives a variable's value, empty when
@@ -85,11 +89,15 @@ struct Resolution {
 
 class Resolver {
  public:
-  Resolver(const Disk& disk, SearchPaths paths)
-      : disk_(disk), paths_(std::move(paths)), other_case_(std::make_shared<OtherCase>(disk)) {}
+  Resolver(const Disk& disk, SearchPaths paths);
 
   /// Where `uri`, standing in `file`, leads.
   Resolution resolve(std::string_view uri, std::string_view file) const;
+
+  /// The folder of a ROS package, as `$(find NAME)` in `file` has it, which is absolute. In this order:
+  /// `--package`; the configuration; the nearest package.xml; packages around the file (`trees_around`) and
+  /// in the folders that a command was given; ROS_PACKAGE_PATH, with all that is below; AMENT_PREFIX_PATH.
+  std::optional<std::string> package_folder(std::string_view name, std::string_view file) const;
 
   const Disk& disk() const { return disk_; }
   const SearchPaths& paths() const { return paths_; }
@@ -104,6 +112,12 @@ class Resolver {
                       Resolution& result) const;
   void resolve_model(std::string_view rest, std::string_view file, Resolution& result) const;
   void resolve_package(std::string_view rest, std::string_view file, Resolution& result) const;
+  bool try_package_above(const std::string& name, std::string_view inside, std::string_view file,
+                         Resolution& result) const;
+  bool try_package_around(const std::string& name, std::string_view inside, std::string_view file,
+                          Resolution& result) const;
+  bool try_below_environment(const std::string& name, std::string_view inside,
+                             std::string_view file, Resolution& result) const;
   void resolve_remote(std::string_view uri, Resolution& result) const;
   void find_other_case(Resolution& result) const;
   const std::optional<PackageManifest>& manifest(const std::string& folder) const;
@@ -122,6 +136,7 @@ class Resolver {
   const Disk& disk_;
   SearchPaths paths_;
   std::shared_ptr<Packages> packages_ = std::make_shared<Packages>();
+  std::shared_ptr<PackageIndex> index_;
   std::shared_ptr<OtherCase> other_case_;
 };
 

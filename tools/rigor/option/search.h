@@ -24,8 +24,14 @@ class SearchOptions {
  public:
   void declare(CLI::App& app);
 
-  /// They look into the configuration as long as this lives.
-  read::SearchPaths paths() const;
+  /// They look into the configuration as long as this lives. Of `named`, what the command was given, the
+  /// folders are searched for packages.
+  read::SearchPaths paths(const std::vector<std::string>& named = {}) const;
+
+  /// For a command that takes several files: those arguments of templates that stand behind a file and before
+  /// the next. Those that stand before all files count for each.
+  read::TemplateArguments arguments_of(const CLI::Option& file,
+                                       const std::vector<const CLI::Option*>& files) const;
 
   const ConfigOptions& config() const { return config_; }
 
@@ -42,6 +48,8 @@ class SearchOptions {
   std::vector<std::string> model_paths_;
   std::vector<std::string> packages_;
   std::vector<std::string> template_arguments_;
+  const CLI::App* app_ = nullptr;
+  const CLI::Option* argument_option_ = nullptr;
   std::string mesh_memory_;
   ConfigOptions config_;
 };

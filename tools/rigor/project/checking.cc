@@ -51,7 +51,7 @@ std::vector<std::string> CheckArguments::named() const {
 
 Checking::Checking(const CheckArguments& a, const Disk& disk)
     : arguments_(a),
-      environment_(disk, a.search.paths()),
+      environment_(disk, a.search.paths(a.named())),
       reach_(a.named(), environment_.resolver.paths()),
       settings_(a.selection, a.search.config(), environment_.registry),
       changed_(a.changed_since.changed(a.paths.empty() ? std::vector<std::string>{"."} : a.paths)),

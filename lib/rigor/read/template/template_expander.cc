@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include <rigor/read/package_index.h>
 #include <rigor/read/template/installed_path.h>
 #include <rigor/text/path.h>
 #include <rigor/xacro/print.h>
@@ -69,14 +70,12 @@ class TemplateRoots {
 bool is_template(std::string_view path) { return extension(path) == ".xacro"; }
 
 TemplateExpander::TemplateExpander(const Resolver& resolver)
-    : resolver_(resolver),
-      inputs_(resolver.paths().templates),
-      packages_(resolver.disk(), resolver.paths()) {}
+    : resolver_(resolver), inputs_(resolver.paths().templates) {}
 
 std::optional<std::string> TemplateExpander::package_folder(std::string_view package,
                                                             std::string_view file) {
   const std::string& here = inputs_.working_folder;
-  std::optional<std::string> folder = packages_.find(package, join_path(here, file));
+  std::optional<std::string> folder = resolver_.package_folder(package, join_path(here, file));
   if (folder) folder = join_path(here, *folder);
   return folder;
 }
@@ -92,7 +91,7 @@ xacro::Expansion TemplateExpander::expansion(const std::string& path,
   TemplateRoots roots;
   roots.add(inputs_.working_folder);
   const std::string folder(parent_path(join_path(inputs_.working_folder, path)));
-  const std::string tree = packages_.tree_of(folder);
+  const std::string tree = tree_of(resolver_.disk(), folder);
   roots.add(tree);
   // Without a package or a repository nobody can tell where the robot's tree begins.
   const std::string above(parent_path(parent_path(folder)));

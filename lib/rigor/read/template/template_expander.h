@@ -19,7 +19,6 @@
 #include <vector>
 
 #include <rigor/read/resolver.h>
-#include <rigor/read/template/package_finder.h>
 #include <rigor/read/workspace.h>
 #include <rigor/text/sources.h>
 #include <rigor/xacro/expand.h>
@@ -55,7 +54,6 @@ class TemplateExpander {
 
   const Resolver& resolver_;
   const TemplateInputs& inputs_;
-  PackageFinder packages_;
   std::map<std::string, std::string> buffers_;  // by path from the working folder
 };
 

@@ -88,7 +88,7 @@ MeshChecking::MeshChecking(const MeshCheckArguments& arguments)
       targets_(arguments.output.targets()),
       real_(arguments.search.disk(arguments.paths)),
       disk_(real_),
-      environment_(disk_, arguments.search.paths()),
+      environment_(disk_, arguments.search.paths(arguments.paths)),
       settings_(arguments.selection, arguments.search.config(), environment_.registry),
       cache_(arguments.cache.cache(environment_.workers)),
       files_(disk_, mass::MeshDepth::kAll,
