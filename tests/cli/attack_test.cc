@@ -442,5 +442,30 @@ TEST_F(Secret, ALinkOutOfAConfinementIsNoConfiguration) {
   EXPECT_EQ(ran.err.find("HUNTER2"), std::string::npos) << ran.err;
 }
 
+/// What `$(find …)` reads around the model is quoted as it is; a file beside those packages is not.
+TEST_F(Secret, OfTheSameRepositoryModelsAndPackagesAreQuotedAndNothingElse) {
+  fs::create_directories(folder_.path("repo/.git"));
+  folder_.put("repo/arm/package.xml", "<package><name>arm</name></package>");
+  folder_.put("repo/sub/hand/package.xml", "<package><name>hand</name></package>");
+  folder_.put("repo/sub/hand/h.xacro", template_of("<link name=\"${TOLD_OF_HAND}\"/>"));
+  folder_.put("repo/common/c.xacro", template_of("<link name=\"${TOLD_OF_COMMON}\"/>"));
+  folder_.put("repo/common/key.txt", template_of("<link name=\"${HUNTER2}\"/>"));
+  folder_.put("repo/common/key.xml", template_of("<link name=\"${HUNTER2}\"/>"));
+  folder_.put("repo/.secret/s.xacro", template_of("<link name=\"${HUNTER2}\"/>"));
+  folder_.put("outside/o.xacro", template_of("<link name=\"${HUNTER2}\"/>"));
+  fs::create_symlink("key.txt", folder_.path("repo/common/linked.xacro"));
+  std::string includes;
+  for (const char* file :
+       {"$(find hand)/h.xacro", "../common/c.xacro", "../common/key.xml", "../.secret/s.xacro",
+        "../../outside/o.xacro", "../common/key.txt", "../common/linked.xacro"}) {
+    includes += std::string("<xacro:include filename='") + file + "'/>";
+  }
+  folder_.put("repo/arm/a.urdf.xacro", template_of(includes));
+  tells_nothing("validate repo/arm --format json");
+  const Ran ran = folder_.rigor("validate repo/arm --format concise");
+  EXPECT_NE(ran.out.find("'TOLD_OF_HAND' is undefined"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("'TOLD_OF_COMMON' is undefined"), std::string::npos) << ran.out;
+}
+
 }  // namespace
 }  // namespace rigor::test

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <system_error>
 #include <utility>
 
 #include <rigor/mesh/read.h>
+#include <rigor/read/package_index.h>
+#include <rigor/text/disk.h>
 #include <rigor/text/path.h>
 
 namespace rigor::tool {
@@ -34,6 +37,17 @@ std::string package_of(const std::string& real_folder) {
 
 bool in_repository_data(std::string_view real) {
   return real.find("/.git/") != std::string_view::npos || real.ends_with("/.git");
+}
+
+/// Whether a folder below the tree, or the file itself, is hidden.
+bool is_hidden_in(std::string_view real, std::string_view tree) {
+  return real.substr(std::min(tree.size(), real.size())).find("/.") != std::string_view::npos;
+}
+
+/// What holds a robot and nothing else, going by its name.
+bool has_name_of_model(std::string_view real) {
+  constexpr std::string_view kModels[] = {".sdf", ".srdf", ".urdf", ".world", ".xacro"};
+  return std::find(std::begin(kModels), std::end(kModels), extension(real)) != std::end(kModels);
 }
 
 /// What takes the place of a message.
@@ -120,6 +134,7 @@ Reach::Reach(const std::vector<std::string>& named, const read::SearchPaths& pat
       neighbors_.emplace_back(parent_path(package));
       folders_.push_back(std::move(package));
     }
+    add_trees(folder);
     folders_.push_back(std::move(folder));
   }
   const auto add = [this](const std::string& folder) {
@@ -139,10 +154,30 @@ bool Reach::holds(const std::string& path) const {
   if (in_repository_data(real)) return false;
   const auto holds_it = [&real](const std::string& folder) { return lies_below(real, folder); };
   if (std::any_of(folders_.begin(), folders_.end(), holds_it)) return true;
+  if (std::any_of(trees_.begin(), trees_.end(),
+                  [&](const Tree& tree) { return holds_in(tree, real); }))
+    return true;
   if (std::none_of(neighbors_.begin(), neighbors_.end(), holds_it)) return false;
   const std::string package = package_of(std::string(parent_path(real)));
   return !package.empty() &&
          std::find(neighbors_.begin(), neighbors_.end(), parent_path(package)) != neighbors_.end();
+}
+
+void Reach::add_trees(const std::string& real_folder) {
+  for (std::string& tree : read::trees_around(RealDisk(), real_folder)) {
+    const auto is_it = [&tree](const Tree& known) { return known.folder == tree; };
+    if (std::any_of(trees_.begin(), trees_.end(), is_it)) continue;
+    std::error_code ignored;
+    const bool is_repository = fs::exists(join_path(tree, ".git"), ignored);
+    trees_.push_back({std::move(tree), is_repository});
+  }
+}
+
+bool Reach::holds_in(const Tree& tree, const std::string& real) const {
+  if (!lies_below(real, tree.folder) || is_hidden_in(real, tree.folder)) return false;
+  if (tree.is_repository && has_name_of_model(real)) return true;
+  const std::string package = package_of(std::string(parent_path(real)));
+  return !package.empty() && lies_below(package, tree.folder);
 }
 
 Diagnostics withheld(const Diagnostics& found, const Sources& sources, const Reach& reach) {

@@ -21,7 +21,8 @@
 namespace rigor::tool {
 
 /// The folders that were named on the command line, of a named file the one that it is in, and the packages (a
-/// folder with package.xml or model.config) that these lie in; packages beside those; and the folders of
+/// folder with package.xml or model.config) that these lie in; packages beside those, and where `$(find …)` looks
+/// for packages around them (`read::trees_around`); models anywhere in their repository; and the folders of
 /// `--model-path`, `--package` and the environment's variables. Not those that a configuration names: it comes with the models.
 /// Links are followed first, and nothing in a folder `.git` is within reach. Safe across threads.
 class Reach {
@@ -37,6 +38,14 @@ class Reach {
   std::vector<std::string> named_;      // files, as they were written
   std::vector<std::string> folders_;    // real paths
   std::vector<std::string> neighbors_;  // folders whose packages are within reach
+  struct Tree {
+    std::string folder;
+    bool is_repository = false;
+  };
+  bool holds_in(const Tree& tree, const std::string& real) const;
+  void add_trees(const std::string& real_folder);
+
+  std::vector<Tree> trees_;  // packages at any depth of them are
 };
 
 /// The path with all links followed, as far as it exists; from the root.
