@@ -263,7 +263,7 @@ class YamlBuilder final : public YAML::EventHandler {
   void begin(const YAML::Mark& mark, std::string_view tag, YAML::anchor_t anchor, bool map) {
     const std::string_view standard = map ? "tag:yaml.org,2002:map" : "tag:yaml.org,2002:seq";
     if (!tag.empty() && tag != "?" && tag != "!" && tag != standard) {
-      refuse(FactKind::kOutsideLanguage, span_at(mark), "the YAML tag " + std::string(tag));
+      refuse_tag(tag, span_at(mark));
     }
     const Value value = map ? heap_.dictionary() : heap_.list({});
     // Known before it is complete: a list may hold itself.
@@ -348,7 +348,17 @@ class YamlBuilder final : public YAML::EventHandler {
       }
       if (type == "bool") return plain(text, where);
     }
-    refuse(FactKind::kOutsideLanguage, where, "the YAML tag " + std::string(tag));
+    refuse_tag(tag, where);
+  }
+
+  [[noreturn]] void refuse_tag(std::string_view tag, Span where) {
+    if (!tag.starts_with('!'))
+      refuse(FactKind::kOutsideLanguage, where, "the YAML tag " + std::string(tag));
+    std::string known;
+    for (const YamlUnit& unit : kYamlUnits)
+      known.append(known.empty() ? "" : ", ").append(unit.tag);
+    refuse(FactKind::kWrongValue, where,
+           "xacro knows no unit " + std::string(tag) + "; it knows " + known);
   }
 
   Value with_unit(const YamlUnit& unit, std::string_view text, Span where) {
@@ -358,7 +368,7 @@ class YamlBuilder final : public YAML::EventHandler {
     if (v.is(Type::kReal)) d = v.real_;
     if (v.is_integral()) d = integer_to_double(v);
     if (v.is_text()) d = real_from_text(v.as_text());
-    if (!d) refuse(FactKind::kWrongType, where, std::string(unit.tag) + " takes a number");
+    if (!d) refuse(FactKind::kWrongValue, where, std::string(unit.tag) + " takes a number");
     return Value::real(unit.factor == 1 ? *d : *d * unit.factor);
   }
 

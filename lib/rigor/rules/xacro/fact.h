@@ -16,7 +16,8 @@ namespace rigor::rules {
 inline std::string_view label_of_related(rigor::xacro::FactKind kind) {
   using Kind = rigor::xacro::FactKind;
   switch (kind) {
-    case Kind::kYaml: return "read here";
+    case Kind::kYaml:
+    case Kind::kWrongValue: return "read here";
     case Kind::kRedefinedProperty:
     case Kind::kRedefinedMacro: return "defined before here";
     case Kind::kUndefinedName: return "defined here: after its use, or in a scope of its own";
