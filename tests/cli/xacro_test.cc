@@ -268,6 +268,139 @@ TEST_F(XacroProgram, ANamedFileOfMacrosIsNoRobotWithoutLinks) {
   const Ran ran = validate("leg.xacro");
   EXPECT_EQ(ran.exit, 0) << ran.out;
   EXPECT_EQ(ran.out.find("[missing-"), std::string::npos) << ran.out;
+  // Nor is anything said to be right of what nothing calls.
+  EXPECT_NE(ran.err.find("skipped: leg.xacro: xacro: no robot by itself"), std::string::npos)
+      << ran.err;
+  EXPECT_NE(ran.err.find("no files checked; 1 file skipped"), std::string::npos) << ran.err;
+  // With a robot that calls it, it is checked.
+  folder_.put("robot.urdf.xacro",
+              "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:include filename=\"leg.xacro\"/>\n  <xacro:leg side=\"left\"/>\n"
+              "</robot>\n");
+  const Ran both = validate("leg.xacro robot.urdf.xacro");
+  EXPECT_NE(both.err.find("2 files checked"), std::string::npos) << both.err;
+  EXPECT_EQ(both.err.find("skipped"), std::string::npos) << both.err;
+}
+
+TEST_F(XacroProgram, ACallWithoutItsPrefixLeavesNoRobot) {
+  folder_.put("kobuki.urdf.xacro",
+              "<robot name=\"k\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:macro name=\"kobuki\"><link name=\"base\"/></xacro:macro>\n"
+              "  <xacro:macro name=\"mesh\"><cylinder radius=\"1\"/></xacro:macro>\n"
+              "  <kobuki/>\n  <mesh/>\n</robot>\n");
+  const Ran ran = validate("kobuki.urdf.xacro");
+  EXPECT_NE(ran.out.find("kobuki.urdf.xacro:4:4: warning: <kobuki> is written like a call"),
+            std::string::npos)
+      << ran.out;
+  EXPECT_EQ(ran.out.find("<mesh>"), std::string::npos) << ran.out;
+  folder_.put("alone/kobuki.urdf.xacro", folder_.get("kobuki.urdf.xacro"));
+  EXPECT_NE(validate("alone").out.find("[xacro-missing-prefix]"), std::string::npos);
+}
+
+/// A path that only the robot's text has is no reason to look at nothing else.
+TEST_F(XacroProgram, APackageThatNothingIsReadOfIsAWarning) {
+  const std::string root = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  const std::string link =
+      "  <link name=\"base\"><inertial><mass value=\"-1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" "
+      "iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>\n</robot>\n";
+  folder_.put("plugin.urdf.xacro",
+              root +
+                  "  <gazebo><plugin name=\"p\" filename=\"libp.so\">"
+                  "<parameters>$(find bot_bringup)/c.yaml</parameters></plugin></gazebo>\n" +
+                  link);
+  folder_.put("default.urdf.xacro",
+              root + "  <xacro:arg name=\"c\" default=\"$(find bot_bringup)/c.yaml\"/>\n" + link);
+  for (const std::string file : {"plugin.urdf.xacro", "default.urdf.xacro"}) {
+    const Ran ran = validate(file);
+    EXPECT_NE(ran.out.find(file + ":2:"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find(": warning: package 'bot_bringup' is not found"), std::string::npos)
+        << ran.out;
+    EXPECT_NE(ran.out.find("[mass-negative]"), std::string::npos) << ran.out;
+    const Ran expanded = folder_.rigor("expand " + file);
+    EXPECT_EQ(expanded.exit, 1) << "xacro fails";
+    EXPECT_EQ(expanded.out, "");
+  }
+  for (const std::string used :
+       {"<xacro:include filename=\"${c}\"/>", "<xacro:if value=\"${c}\"/>",
+        "<xacro:property name=\"y\" value=\"${xacro.load_yaml(c)}\"/><a b=\"${y['k']}\"/>"}) {
+    folder_.put("used.urdf.xacro",
+                root + "  <xacro:property name=\"c\" value=\"$(find bot_bringup)/c.yaml\"/>\n" +
+                    used + link);
+    const Ran ran = validate("used.urdf.xacro");
+    EXPECT_NE(ran.out.find(": error: package 'bot_bringup' is not found"), std::string::npos)
+        << ran.out;
+    EXPECT_EQ(ran.out.find("[xacro-file-not-found]"), std::string::npos) << ran.out;
+  }
+}
+
+TEST_F(XacroProgram, LinksThatLackNothingAreCheckedWhereAnIncludeIsMissing) {
+  const auto link = [](const std::string& name, const std::string& mass, const std::string& more) {
+    return "  <link name=\"" + name + "\"><inertial><mass value=\"" + mass + "\"/>" + more +
+           "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>"
+           "</link>\n";
+  };
+  for (const std::string missing : {"$(find no_such)/parts.xacro", "parts.xacro"}) {
+    folder_.put("cart.urdf.xacro",
+                "<robot name=\"cart\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+                "  <xacro:include filename=\"" +
+                    missing + "\"/>\n" + link("own", "-1", "") + link("theirs", "${mass}", "") +
+                    link("filled", "-2", "<xacro:inertia_of_theirs/>") +
+                    "  <joint name=\"j\" type=\"fixed\"><parent link=\"own\"/>"
+                    "<child link=\"in_parts\"/></joint>\n</robot>\n");
+    const auto report = findings("cart.urdf.xacro");
+    std::map<std::string, std::string> lines;
+    for (const auto& found : report["diagnostics"])
+      lines[found["rule"].get<std::string>()] += found["line"].dump() + ' ';
+    const std::string package =
+        missing[0] == '$' ? "xacro-package-not-found" : "xacro-file-not-found";
+    EXPECT_EQ(lines, (std::map<std::string, std::string>{{package, "2 "}, {"mass-negative", "3 "}}))
+        << report;
+  }
+}
+
+TEST_F(XacroProgram, AFolderInWhichAllIsSkippedIsNoSuccess) {
+  folder_.put("lacking/a.urdf.xacro",
+              "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <link name=\"$(arg prefix)base\"><visual><geometry><box size=\"$(arg size)\"/>"
+              "</geometry></visual></link>\n</robot>\n");
+  const Ran ran = validate("lacking");
+  EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("rigor: lacking: all that it holds is skipped, and nothing was checked"),
+            std::string::npos)
+      << ran.err;
+  EXPECT_NE(ran.err.find("no files checked; 1 file skipped"), std::string::npos) << ran.err;
+}
+
+/// The place of a model and of what it includes from another package of the workspace.
+TEST_F(XacroProgram, PackagesOfTheWorkspaceAreFoundAndQuoted) {
+  const std::string root = " xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  folder_.put("ws/src/robots/arm/package.xml", "<package><name>arm</name></package>");
+  folder_.put("ws/src/robots/arm/urdf/a.urdf.xacro",
+              "<robot name=\"a\"" + root +
+                  "  <xacro:include filename=\"$(find lidar)/urdf/l.xacro\"/>\n"
+                  "  <xacro:lidar/>\n</robot>\n");
+  folder_.put("ws/src/sensors/some_lidar/package.xml", "<package><name>lidar</name></package>");
+  folder_.put("ws/src/sensors/some_lidar/meshes/l.obj",
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  folder_.put("ws/src/sensors/some_lidar/urdf/l.xacro",
+              "<robot" + root +
+                  "  <xacro:macro name=\"lidar\">\n    <link name=\"l\">\n"
+                  "      <inertial><mass value=\"-1\"/></inertial>\n      <visual><geometry>"
+                  "<mesh filename=\"package://lidar/meshes/l.obj\"/></geometry></visual>\n"
+                  "    </link>\n  </xacro:macro>\n</robot>\n");
+  for (const std::string path :
+       {"ws/src", "ws/src/robots/arm", "ws/src/robots/arm/urdf/a.urdf.xacro"}) {
+    const auto report = findings(path);
+    for (const auto& found : report["diagnostics"]) {
+      EXPECT_EQ(found["message"].get<std::string>().find("lies outside"), std::string::npos)
+          << found;
+      EXPECT_NE(found["rule"], "mesh-not-found") << found;
+      if (found["rule"] != "mass-negative") continue;
+      EXPECT_EQ(found["line"], 4) << found;
+      EXPECT_EQ(found["path"], "ws/src/sensors/some_lidar/urdf/l.xacro");
+    }
+    EXPECT_NE(report.dump().find("mass-negative"), std::string::npos) << report;
+  }
 }
 
 TEST_F(XacroProgram, WhatInstallationMovesIsFoundWhereItComesFrom) {

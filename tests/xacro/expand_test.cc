@@ -283,5 +283,27 @@ TEST(XacroBounds, NothingRunsOrGrowsWithoutEnd) {
   EXPECT_FALSE(Expanded(robot("<v>${" + sum + "}</v>")).expansion.ok());
 }
 
+TEST(Expand, AUnitThatXacroHasNotIsNamedBesideThoseThatItHas) {
+  for (const std::string yaml : {"mass: !kilograms 1.5\n", "mass: !kilograms [1.5]\n"}) {
+    const Expanded expanded(robot("<v>${xacro.load_yaml('arm.yaml')['mass']}</v>"),
+                            {{"arm.yaml", yaml}});
+    ASSERT_FALSE(expanded.findings().empty());
+    EXPECT_NE(expanded.findings()[0].find("xacro knows no unit !kilograms; it knows !radians, "
+                                          "!degrees, !meters, !millimeters, !foot, !inches"),
+              std::string::npos)
+        << expanded.findings()[0];
+  }
+}
+
+TEST(Expand, AMissingPackageLeavesTheRestKnown) {
+  const Expanded text(robot("<v f=\"$(find nowhere)/a.yaml\"/>"));
+  EXPECT_FALSE(text.expansion.ok());
+  EXPECT_TRUE(text.expansion.is_known());
+  EXPECT_NE(text.text().find("f=\"package://nowhere/a.yaml\""), std::string::npos) << text.text();
+  const Expanded file(robot("<xacro:include filename=\"$(find nowhere)/a.xacro\"/>"));
+  EXPECT_FALSE(file.expansion.is_known());
+  EXPECT_EQ(file.findings().size(), 1U);
+}
+
 }  // namespace
 }  // namespace rigor::test

@@ -166,6 +166,18 @@ class Runner::Walk {
     return said;
   }
 
+  /// Rules of other categories look at the whole robot.
+  Diagnostics run_on_links() {
+    of_links_alone_ = true;
+    const model::Root& root = loaded_.root;
+    entities(root.links);
+    entities(root.collisions);
+    entities(root.visuals);
+    check_meshes(root.collisions, MeshRole::kCollision);
+    check_meshes(root.visuals, MeshRole::kVisual);
+    return taken();
+  }
+
   Diagnostics run(const mass::MeshFacts& mesh) {
     check_file({mesh});
     return taken();
@@ -195,6 +207,10 @@ class Runner::Walk {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format) || (active.of_assembly && !assembles_)) return false;
     if (format == model::Format::kMjcf && !active.of_mjcf) return false;
+    constexpr std::string_view kOfLinks[] = {"inertia", "geometry", "mesh"};
+    if (of_links_alone_ &&
+        std::find(std::begin(kOfLinks), std::end(kOfLinks), active.category) == std::end(kOfLinks))
+      return false;
     context_.begin_rule(active.rule, active.category, active.severity, active.prose);
     if (active.grading == Grading::kHeld) context_.hold_severity();
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));
@@ -320,6 +336,7 @@ class Runner::Walk {
   const read::Loaded& loaded_;
   mass::MeshFiles* files_;
   const bool assembles_;
+  bool of_links_alone_ = false;
   std::set<std::tuple<std::string, bool, double, double, double>> looked_at_;
   model::Frames frames_;
   Diagnostics diagnostics_;
@@ -330,6 +347,11 @@ class Runner::Walk {
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
                         const read::Loaded& loaded, const Meshes& meshes) const {
   return Walk(*this, environment, sources, loaded, meshes).run();
+}
+
+Diagnostics Runner::run_on_links(const Environment& environment, const Sources& sources,
+                                 const read::Loaded& loaded, const Meshes& meshes) const {
+  return Walk(*this, environment, sources, loaded, meshes).run_on_links();
 }
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,

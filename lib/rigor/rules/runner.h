@@ -40,6 +40,10 @@ class Runner {
   Diagnostics run(const Environment& environment, const Sources& sources,
                   const read::Loaded& loaded, const Meshes& meshes) const;
 
+  /// What rules on links, their shapes and meshes find, of a robot of which parts are missing.
+  Diagnostics run_on_links(const Environment& environment, const Sources& sources,
+                           const read::Loaded& loaded, const Meshes& meshes) const;
+
   /// What the rules on mesh files find of one that no model names.
   Diagnostics run(const Environment& environment, const Sources& sources,
                   const mass::MeshFacts& mesh) const;

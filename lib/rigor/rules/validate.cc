@@ -100,6 +100,7 @@ class Run {
       if (options_.shard.has(paths[i])) keep(paths[i], i);
     }
     keep_parts();
+    refuse_nothing();
     return std::move(result_);
   }
 
@@ -151,7 +152,7 @@ class Run {
         [&](std::size_t number, const read::TemplateArguments& arguments) {
           const read::File& robot =
               workspace_.open(path, read::kMaxArgumentSets + 2 + number, with_given(arguments));
-          return robot.expanded && robot.expanded->ok() && makes_robot(robot);
+          return robot.expanded && robot.expanded->is_known() && makes_robot(robot);
         });
   }
 
@@ -223,6 +224,7 @@ class Run {
     std::vector<NotLookedAt> not_looked_at;
     std::vector<Included> includes;
     bool is_template = false;
+    bool is_no_robot = false;  ///< a template without errors that expands to no link
   };
 
   /// The files of this shard and whatever they include, a generation of includes at a time. What a file
@@ -264,6 +266,13 @@ class Run {
     }
     if (checked.is_template) drop_reported(checked.diagnostics, from_working_folder(path));
     checked.diagnostics.sort();
+    if (checked.is_no_robot && checked.diagnostics.list().empty()) {
+      unreached_.insert(path);
+      result_.not_looked_at.push_back(
+          {path, "xacro: no robot by itself, and macros that nothing calls are not checked",
+           index});
+      return;
+    }
     checked.summary.index = index;
     checked.summary.first_finding = result_.diagnostics.list().size();
     result_.diagnostics.take(std::exchange(checked.diagnostics, {}));
@@ -292,6 +301,18 @@ class Run {
       result_.files.push_back(std::move(part));
       return true;
     });
+  }
+
+  /// Where folders were to be checked and nothing in them was, nobody is to take it for success.
+  void refuse_nothing() {
+    if (!result_.files.empty() || result_.not_looked_at.empty() || !result_.unusable.empty() ||
+        options_.shard.of > 1 || options_.discover.wanted)
+      return;
+    for (const std::string& path : options_.paths) {
+      if (environment_.disk.kind(path) == PathKind::kFolder)
+        result_.unusable.push_back(path +
+                                   ": all that it holds is skipped, and nothing was checked");
+    }
   }
 
   std::string from_working_folder(std::string_view path) const {
@@ -417,6 +438,7 @@ class Run {
     std::set<std::string> reads;  ///< files of all expansions, from the working folder
     SourceId source = kNoSource;  ///< of the template, as the first expansion read it
     bool is_whole = true;         ///< all expansions are models without errors
+    bool is_robot = false;        ///< one is, or might be but for its errors
   };
 
   /// With each of its sets of arguments; reported as one file.
@@ -449,6 +471,7 @@ class Run {
     if (run.is_whole) check_coverage(path, takes_all, checked, run);
     checked.summary.reads.assign(run.reads.begin(), run.reads.end());
     checked.diagnostics = run.findings.take();
+    checked.is_no_robot = !run.is_robot && options_.template_depth == TemplateDepth::kModel;
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity == Severity::kError) ++checked.errors;
     }
@@ -480,9 +503,11 @@ class Run {
   void check_expansion(const read::File& file, const std::string& arguments, Checked& checked,
                        TemplateRun& run) {
     // A file of macros that a hook names by itself is no robot without links.
-    const bool is_model = options_.template_depth == TemplateDepth::kModel && file.expanded &&
-                          file.expanded->ok() && makes_robot(file) && !is_srdf_template(file.path);
+    const bool is_known = file.expanded && file.expanded->is_known();
+    const bool is_model = options_.template_depth == TemplateDepth::kModel && is_known &&
+                          makes_robot(file) && !is_srdf_template(file.path);
     run.is_whole = run.is_whole && is_model;
+    run.is_robot = run.is_robot || !is_known || makes_robot(file);
     read::File bare;
     bare.path = file.path;
     read::Loaded loaded;
@@ -504,6 +529,8 @@ class Run {
       of_model = Suppressions(*file.document).uncovered(all_of_model);
       list_meshes(loaded, checked);
       found.take(in_source(of_model, file, sources_));
+    } else if (!is_known && file.expanded) {
+      found.take(check_whole_links(file, checked));
     }
     if (file.expanded) {
       const xacro::Expansion& expansion = file.expanded->expansion();
@@ -521,6 +548,33 @@ class Run {
       reported.add(std::move(each));
     }
     run.findings.add(std::move(reported));
+  }
+
+  /// Of a robot that lacks files: what is wrong with links that lack nothing, themselves.
+  Diagnostics check_whole_links(const read::File& file, const Checked& checked) {
+    if (options_.template_depth != TemplateDepth::kModel || is_srdf_template(file.path)) return {};
+    if (!lacks_files(file.expanded->expansion()) || !file.document || !makes_robot(file)) return {};
+    const std::vector<Span> links = file.expanded->whole_links(*file.document);
+    const auto is_in_link = [&links](Span where) {
+      return std::any_of(links.begin(), links.end(), [&where](Span link) {
+        return link.begin <= where.begin && where.end <= link.end;
+      });
+    };
+    const Diagnostics all =
+        checked.runner->run_on_links(environment_, sources_, load(file), meshes_);
+    const Diagnostics shown = Suppressions(*file.document).uncovered(all);
+    Diagnostics found;
+    for (const Diagnostic& each : shown.list()) {
+      if (is_in_link(each.where)) found.add(each);
+    }
+    return in_source(std::move(found), file, sources_);
+  }
+
+  static bool lacks_files(const xacro::Expansion& expansion) {
+    return std::any_of(expansion.facts.begin(), expansion.facts.end(), [](const xacro::Fact& fact) {
+      return fact.kind == xacro::FactKind::kPackageNotFound ||
+             (fact.kind == xacro::FactKind::kFileNotFound && !fact.where.nowhere());
+    });
   }
 
   /// Where the includes of a file lead, its includers are led too, and say so.
@@ -632,25 +686,6 @@ class Run {
 };
 
 }  // namespace
-
-std::optional<std::string> unknown_name(const Selection& selection, const Registry& registry) {
-  if (selection.select.empty() && selection.ignore.empty() && selection.severity.empty())
-    return std::nullopt;
-  std::set<std::string_view> known;
-  for (const Rule& rule : registry.rules()) {
-    known.insert(rule.name);
-    known.insert(to_string(rule.category));
-  }
-  for (const auto* list : {&selection.select, &selection.ignore}) {
-    for (const std::string& name : *list) {
-      if (!known.contains(name)) return name;
-    }
-  }
-  for (const auto& [name, level] : selection.severity) {
-    if (!known.contains(name)) return name;
-  }
-  return std::nullopt;
-}
 
 ValidateResult validate(const Environment& environment, const ValidateOptions& options,
                         Sources& sources) {

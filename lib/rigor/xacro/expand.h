@@ -129,6 +129,11 @@ struct Expansion {
   /// Without errors: the result is what the reference prints.
   bool ok() const;
 
+  /// Without errors but packages that are not found and that nothing is read of: the result is what the
+  /// reference prints where they are installed, but for the paths of their folders, which are
+  /// `package://NAME`.
+  bool is_known() const;
+
   /// What brought a frame's nodes, innermost first; no more than `kMaxShownFrames`.
   std::vector<FactFrame> stack_of(std::uint32_t frame) const;
 

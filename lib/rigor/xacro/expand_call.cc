@@ -61,6 +61,7 @@ void Expander::expand_dynamic_call(const Node& node, Names names, Node& out) {
   const NodeAttribute* macro = required(node, "macro");
   if (macro == nullptr) return;
   const auto name = evaluate_text(*macro, names);
+  out.is_partial = out.is_partial || !name;
   if (!name) return;
   Node call = node;
   call.attributes.erase("macro");
@@ -72,6 +73,7 @@ void Expander::expand_call(const Node& node, std::string_view name, Names names,
   Names own = names;
   Macro* macro = find_macro(name, own);
   if (macro == nullptr) {
+    out.is_partial = true;
     if (!incomplete_) {
       report(FactKind::kUndefinedMacro, node.where.part(1, 1 + node.name.size()), std::string(name),
              macro_near(name, *names.macros));

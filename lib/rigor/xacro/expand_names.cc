@@ -226,8 +226,9 @@ void Expander::expand_include(const Node& node, Names names, Node& out) {
   if (const Node* child = node.first_element()) report(FactKind::kIgnoredChildren, child->where);
   const auto written = evaluate_text(*name, names);
   Node& content = fragment();
-  if (!written) {
+  if (!written || needs_missing_package(*written)) {
     incomplete_ = true;
+    out.is_partial = true;
   } else {
     const std::string path = absolute_path(*written);
     if (is_file_pattern(path)) {
@@ -261,6 +262,7 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
   if (!file.readable) {
     if (optional) return;
     report(FactKind::kFileNotFound, place, shown_path(path), file.problem);
+    out.is_partial = true;
     incomplete_ = true;
     lacks_files_ = true;
     return;
@@ -279,6 +281,7 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
   expand_children(*file.tree.root, names, included);
   lift_namespaces(included, out);
   if (is_own) includes_.back().brings_elements = included.first_element() != nullptr;
+  content.is_partial = content.is_partial || included.is_partial;
   content.take_children(included);
   file_stack_.pop_back();
   frame_ = outer;

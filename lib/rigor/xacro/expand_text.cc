@@ -133,7 +133,7 @@ std::optional<std::string_view> Expander::evaluate_text(std::string_view text, S
 std::optional<bool> Expander::evaluate_condition(const NodeAttribute& attribute, Names names) {
   used_ = {};
   const Value v = evaluate(attribute.value, *names.values, attribute.where, attribute.code);
-  if (v.failed()) return std::nullopt;
+  if (v.failed() || (v.is_text() && needs_missing_package(v.as_text()))) return std::nullopt;
   const std::optional<bool> is = boolean_value(heap_, v);
   if (!is)
     report(FactKind::kNotBoolean, attribute.where,
@@ -192,6 +192,7 @@ Value Expander::resolve(Binding& binding, Symbol name, Scope& scope) {
 }
 
 Value Expander::load_yaml(std::string_view written) {
+  if (needs_missing_package(written)) return Value::error();
   const std::string path = absolute_path(written);
   const auto known = yaml_.find(path);
   if (known != yaml_.end()) {
@@ -218,8 +219,9 @@ Value Expander::load_yaml(std::string_view written) {
       });
   file.loading = false;
   if (result.trouble) {
-    report(result.trouble->kind, {result.trouble->where, true}, path, result.trouble->detail,
-           reader_);
+    const bool is_value = result.trouble->kind == FactKind::kWrongValue;
+    report(result.trouble->kind, {result.trouble->where, true},
+           is_value ? result.trouble->detail : path, result.trouble->detail, reader_);
     return Value::error();
   }
   file.value = result.value;

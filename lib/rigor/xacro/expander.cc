@@ -54,7 +54,7 @@ Expansion Expander::run(const std::string& path) {
     report_faults(file);
     if (file.tree.root != nullptr) expand_document(file);
     // What failed may have been the use.
-    if (result_.ok()) report_unused();
+    if (result_.is_known()) report_unused();
     relate_definitions();
     result_.part_origins.sort();
   }
@@ -111,6 +111,7 @@ Node& Expander::clone(const Node& node) {
   copy.from = node.from;
   copy.tag = node.tag;
   copy.code = node.code;
+  copy.is_partial = node.is_partial;
   copy.attributes = node.attributes;
   for (const Node* child = node.first; child != nullptr && !stopped_; child = child->next) {
     if (depth_ > options_.bounds.depth) continue;
@@ -156,8 +157,9 @@ void Expander::expand_children(const Node& source, Names names, Node& out) {
           made.code = child->code;
         } else {
           used_ = child->from;
-          made.text = evaluate_text(child->text, *names.values, child->where, child->code)
-                          .value_or(child->text);
+          const auto text = evaluate_text(child->text, *names.values, child->where, child->code);
+          made.text = text.value_or(child->text);
+          out.is_partial = out.is_partial || !text;
           made.where.verbatim = made.where.verbatim && is_same(made.text, child->text);
           made.from = used_;
         }
@@ -210,6 +212,7 @@ void Expander::expand_element(const Node& node, Tag tag, std::string_view name, 
 void Expander::expand_plain(const Node& node, std::string_view name, Names names, Node& out) {
   Node& made = new_node(node);
   made.name = name;
+  made.is_partial = node.is_partial;  // of a block that was expanded before
   if (node.tag == Tag::kPlain) made.tag = Tag::kPlain;
   // In the robot itself, or in what is to become part of it.
   if (out.name.empty() || &out == result_.root) report_missing_prefix(node, *names.macros);
@@ -230,7 +233,9 @@ void Expander::expand_attributes(const Node& node, Names names, Node& out) {
     NodeAttribute made = attribute;
     if (!has_no_dollar(attribute.code)) {
       used_ = attribute.from;
-      made.value = evaluate_text(attribute, names).value_or(attribute.value);
+      const auto value = evaluate_text(attribute, names);
+      made.value = value.value_or(attribute.value);
+      out.is_partial = out.is_partial || !value;
       made.where.verbatim = attribute.where.verbatim && is_same(made.value, attribute.value);
       made.from = used_;
       made.code = TextCode::kUnknown;
@@ -254,6 +259,7 @@ void Expander::expand_renamed(const Node& node, Names names, Node& out) {
   const NodeAttribute* name = required(node, "xacro:name");
   if (name == nullptr) return;
   const auto tag = evaluate_text(*name, names);
+  out.is_partial = out.is_partial || !tag;
   if (!tag) return;
   if (tag->empty()) return report(FactKind::kBadName, name->where, "xacro:element", "it is empty");
   if (*tag == "xacro:element")
@@ -268,6 +274,7 @@ void Expander::expand_attribute_tag(const Node& node, Names names, Node& out) {
   const auto key = evaluate_text(*name, names);
   used_ = {};
   const auto text = evaluate_text(*value, names);
+  out.is_partial = out.is_partial || !key || !text;
   if (!key || !text) return;
   if (key->empty())
     return report(FactKind::kBadName, name->where, "xacro:attribute", "it is empty");
@@ -288,7 +295,7 @@ void Expander::expand_condition(const Node& node, bool wanted, Names names, Node
   if (is && value->value.find('$') == std::string_view::npos)
     report(FactKind::kConstantCondition, value->where, *is ? "true" : "false");
   // What the branch defines is unknown.
-  if (!is) incomplete_ = true;
+  if (!is) incomplete_ = out.is_partial = true;
   if (is && *is != wanted) result_.skipped_conditions.push_back(node.where.span);
   if (is != wanted) return;
   check_attributes(node, names);
@@ -308,6 +315,7 @@ void Expander::insert_block(const Node& node, Names names, Node& out) {
   Binding* binding = names.values->find(symbols_.of('*' + single));
   const bool content_only = binding != nullptr;
   if (binding == nullptr) binding = names.values->find(symbols_.of(single));
+  if (binding == nullptr || !binding->value.is(Type::kBlock)) out.is_partial = true;
   if (binding == nullptr) {
     if (!incomplete_) report(FactKind::kUndefinedBlock, name->where, std::string(name->value));
     return;
@@ -330,6 +338,7 @@ void Expander::insert_block(const Node& node, Names names, Node& out) {
   if (content_only) {
     check_attributes(*block, names);
     Node& content = fragment();
+    content.is_partial = block->is_partial;
     expand_children(*block, names, content);
     append_content(content, out);
   } else {
@@ -390,6 +399,7 @@ void Expander::place_marker(const Node& tag, Node& out) {
 void Expander::append_content(Node& content, Node& out) {
   const bool marked = marker_ != nullptr && marker_->parent == &out && out.last == marker_;
   if (marked) out.remove(*marker_);
+  out.is_partial = out.is_partial || content.is_partial;
   out.take_children(content);
   if (marked) out.append(*marker_);
 }

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -146,6 +147,8 @@ class Expander final : public Host {
   std::optional<std::string> substitution_of(std::string_view command, std::string_view rest,
                                              Place place);
   Value evaluate_eval(std::string_view text, Place place);
+  /// Whether what is read or decided next is a path in a package that is not found. Then it is an error.
+  bool needs_missing_package(std::string_view path);
 
   // reporting.cc
   void report(FactKind kind, Place place, std::string name = {}, std::string detail = {},
@@ -191,6 +194,9 @@ class Expander final : public Host {
   };
   std::unordered_map<std::string, Yaml> yaml_;
   std::map<std::string, Argument, std::less<>> arguments_;
+  /// Packages that are not found; their folders are `package://NAME` in texts.
+  static constexpr std::string_view kPackageScheme = "package://";
+  std::set<std::string> unresolved_;
   std::vector<Definition> definitions_;
   /// What the file itself includes, and what that includes in turn.
   struct IncludeUse {

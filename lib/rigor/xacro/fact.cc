@@ -30,6 +30,7 @@ std::string_view name_of(FactKind kind) {
                                          "unknown-command",
                                          "bad-command",
                                          "package-not-found",
+                                         "package-unresolved",
                                          "unknown-parameter",
                                          "missing-parameter",
                                          "missing-block",
@@ -104,7 +105,8 @@ std::string describe(const Fact& f) {
     case FactKind::kUnknownCommand:
       return "$(" + f.name + " …) does not exist: use find, arg, env, optenv, eval or cwd";
     case FactKind::kBadCommand: return "$(" + f.name + "): " + f.detail;
-    case FactKind::kPackageNotFound: return "package " + name + " is not found";
+    case FactKind::kPackageNotFound:
+    case FactKind::kPackageUnresolved: return "package " + name + " is not found";
     case FactKind::kUnknownParameter:
       return "macro '" + f.detail + "' has no parameter " + name + did_you_mean_near(f);
     case FactKind::kMissingParameter: return "macro '" + f.detail + "' needs the parameter " + name;

@@ -34,16 +34,17 @@ enum class FactKind : std::uint8_t {
   kUnknownCommand,     ///< `$(name …)`
   kBadCommand,         ///< `$(find)` without a package and such; `detail` says it
   kPackageNotFound,
-  kUnknownParameter,  ///< an attribute of a call that the macro `detail` has no parameter for
-  kMissingParameter,  ///< a parameter without default that a call does not give
-  kMissingBlock,      ///< a call with fewer elements in it than the macro has block parameters
-  kUnusedBlock,       ///< a call with more
-  kBadName,           ///< of a property or macro; `detail` says why
-  kPropertyConflict,  ///< more than one of value, default and remove
-  kNotBoolean,        ///< `name` is what the condition evaluated to
-  kNoParentScope,     ///< scope="parent" outside of macros
-  kWrongType,         ///< an operation that its operands do not have
-  kWrongValue,        ///< a value that a function does not take
+  kPackageUnresolved,  ///< the same, where only texts of the result name its folder
+  kUnknownParameter,   ///< an attribute of a call that the macro `detail` has no parameter for
+  kMissingParameter,   ///< a parameter without default that a call does not give
+  kMissingBlock,       ///< a call with fewer elements in it than the macro has block parameters
+  kUnusedBlock,        ///< a call with more
+  kBadName,            ///< of a property or macro; `detail` says why
+  kPropertyConflict,   ///< more than one of value, default and remove
+  kNotBoolean,         ///< `name` is what the condition evaluated to
+  kNoParentScope,      ///< scope="parent" outside of macros
+  kWrongType,          ///< an operation that its operands do not have
+  kWrongValue,         ///< a value that a function does not take
   kDivisionByZero,
   kNoSuchItem,  ///< a key, index or attribute that a value does not have
   kCycle,       ///< properties that need each other; `detail` is the cycle

@@ -114,6 +114,7 @@ Tag tag_of(std::string_view name);
 struct Node {
   NodeKind kind = NodeKind::kElement;
   Tag tag = Tag::kUnknown;
+  bool is_partial = false;     ///< of a result: an error took something of it, its children apart
   std::uint32_t frame = 0;     ///< index in `Expansion::frames`; 0 is the file itself
   std::string_view name = {};  ///< of an element; the target of an instruction
   std::string_view text = {};  ///< of all others

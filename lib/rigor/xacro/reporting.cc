@@ -10,6 +10,17 @@
 #include <rigor/xacro/expander.h>
 
 namespace rigor::xacro {
+namespace {
+
+bool makes_link_or_joint(const Node& body) {
+  for (const Node* child = body.first_element(); child != nullptr; child = child->next_element()) {
+    if (child->name == "link" || child->name == "joint" || child->name.starts_with(kTagPrefix))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 Expansion::Expansion() = default;
 Expansion::Expansion(Expansion&&) noexcept = default;
@@ -44,6 +55,12 @@ std::string shown_value(std::string_view value) {
 bool Expansion::ok() const {
   return root != nullptr &&
          std::none_of(facts.begin(), facts.end(), [](const Fact& f) { return is_error(f.kind); });
+}
+
+bool Expansion::is_known() const {
+  return root != nullptr && std::none_of(facts.begin(), facts.end(), [](const Fact& f) {
+           return is_error(f.kind) && f.kind != FactKind::kPackageUnresolved;
+         });
 }
 
 std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
@@ -90,11 +107,12 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
                   symbols_.of(heap_.keep(name))};
   }
   // A package that is missing is one fault of an expansion, whoever names it.
-  if (kind == FactKind::kPackageNotFound) key.second = {0, symbols_.of(name)};
+  const bool is_package = kind == FactKind::kPackageUnresolved;
+  if (is_package) key.second = {0, symbols_.of(name)};
   const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
   if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
     Fact& first = result_.facts[known->second];
-    if (kind != FactKind::kPackageNotFound) ++first.count;
+    if (!is_package) ++first.count;
     // What is like it may be defined behind the first use.
     if (kind == FactKind::kUndefinedName && first.near.empty()) first.near = std::move(detail);
     return;
@@ -109,6 +127,23 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
                           kind == FactKind::kUndefinedArgument;
   if (names_near) fact.near = std::exchange(fact.detail, {});
   result_.facts.push_back(std::move(fact));
+}
+
+bool Expander::needs_missing_package(std::string_view path) {
+  for (const std::string& package : unresolved_) {
+    const std::string folder = std::string(kPackageScheme) + package;
+    const std::size_t at = path.find(folder);
+    const std::size_t behind = at + folder.size();
+    if (at == std::string_view::npos || (behind < path.size() && path[behind] != '/')) continue;
+    for (Fact& fact : result_.facts) {
+      if (fact.kind == FactKind::kPackageUnresolved && fact.name == package)
+        fact.kind = FactKind::kPackageNotFound;
+    }
+    incomplete_ = true;
+    lacks_files_ = true;
+    return true;
+  }
+  return false;
 }
 
 void Expander::relate_definitions() {
@@ -152,7 +187,8 @@ void Expander::report_degrees(const Expression& expression, Place place) {
 }
 
 /// Elements of URDF have the names of macros all the time: only one in the robot itself that gives what
-/// the macro asks for, and nothing else, is meant as a call.
+/// the macro asks for, and nothing else, is meant as a call. One that gives nothing is where the macro makes
+/// parts of a robot.
 void Expander::report_missing_prefix(const Node& node, MacroScope& macros) {
   constexpr std::string_view kElements[] = {"link",   "joint",    "material",    "gazebo",
                                             "sensor", "inertial", "transmission"};
@@ -161,7 +197,7 @@ void Expander::report_missing_prefix(const Node& node, MacroScope& macros) {
   };
   if (std::any_of(std::begin(kElements), std::end(kElements), is_name)) return;
   const MacroEntry* entry = macros.find(symbols_.of(node.name));
-  if (entry == nullptr || entry->macro == nullptr || entry->macro->parameters.empty()) return;
+  if (entry == nullptr || entry->macro == nullptr) return;
   const auto& parameters = entry->macro->parameters;
   const bool gives_all = std::all_of(parameters.begin(), parameters.end(), [&](const auto& one) {
     return one.has_default || one.forwards || one.name.starts_with('*') ||
@@ -172,7 +208,10 @@ void Expander::report_missing_prefix(const Node& node, MacroScope& macros) {
         return std::any_of(parameters.begin(), parameters.end(),
                            [&](const auto& one) { return one.name == attribute.name; });
       });
-  if (!gives_all || !gives_only || node.attributes.empty()) return;
+  if (!gives_all || !gives_only) return;
+  const bool is_bare = node.attributes.empty();
+  if (is_bare && (node.first_element() != nullptr || !makes_link_or_joint(*entry->macro->body)))
+    return;
   report(FactKind::kMissingPrefix, node.where.part(1, 1 + node.name.size()), std::string(node.name),
          {}, entry->macro->body->where.span);
 }

@@ -145,12 +145,10 @@ std::optional<std::string> Expander::substitution_of(std::string_view command,
   if (command == "find") {
     auto folder =
         world_.find_package ? world_.find_package(name, file_stack_.back()) : std::nullopt;
-    if (!folder) {
-      incomplete_ = true;
-      lacks_files_ = true;
-      return refuse(FactKind::kPackageNotFound, name);
-    }
-    return folder;
+    if (folder) return folder;
+    report(FactKind::kPackageUnresolved, place, name);
+    unresolved_.insert(name);
+    return std::string(kPackageScheme) + name;
   }
   auto value = world_.variable ? world_.variable(name) : std::nullopt;
   if (value) return value;

@@ -87,6 +87,20 @@ ExpandedFile::ExpandedFile(xacro::Expansion expansion) : expansion_(std::move(ex
   }
 }
 
+std::vector<Span> ExpandedFile::whole_links(const xml::Document& expanded) const {
+  std::vector<Span> links;
+  const auto root = expanded.root();
+  if (!root) return links;
+  for (const xml::Element child : root->children()) {
+    if (child.name() != "link" || child.index() >= elements_.size()) continue;
+    std::vector<const xacro::Node*> parts;
+    add_elements(*elements_[child.index()], parts);
+    const auto is_partial = [](const xacro::Node* node) { return node->is_partial; };
+    if (std::none_of(parts.begin(), parts.end(), is_partial)) links.push_back(child.span());
+  }
+  return links;
+}
+
 Origin ExpandedFile::of_attribute(const xml::Attribute& attribute, const xacro::Node& node,
                                   Span where, const Sources& sources) const {
   const xacro::NodeAttribute* made = node.attribute(attribute.name());

@@ -41,6 +41,11 @@ class ExpandedFile {
 
   const xacro::Expansion& expansion() const { return expansion_; }
   bool ok() const { return expansion_.ok(); }
+  bool is_known() const { return expansion_.is_known(); }
+
+  /// Of `expanded`, the document that was made of the expansion's text, the links that lack nothing, whatever
+  /// errors there were elsewhere.
+  std::vector<Span> whole_links(const xml::Document& expanded) const;
 
   /// `expanded` is the document that was made of the expansion's text.
   Origin origin(const xml::Document& expanded, Span where, const Sources& sources) const;

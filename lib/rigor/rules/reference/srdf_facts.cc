@@ -101,7 +101,7 @@ std::vector<robot::SemanticTarget> targets_of(Context& context, const read::Srdf
     const read::File& file = workspace.open(each);
     // Of a robot that is read in part, what is missing may be there.
     if (!file.document || !file.document->complete()) continue;
-    if (file.expanded && !file.expanded->ok()) continue;
+    if (file.expanded && !file.expanded->is_known()) continue;
     const read::Loaded loaded = read::load(reader, file);
     if (!loaded.root.links.empty()) targets.push_back(robot::semantic_target(loaded.root));
   }

@@ -22,6 +22,7 @@ struct TemplateCandidate {
   bool has_name = true;
   bool ok = false;
   bool broken = false;                // no XML: it is unknown what it was to be
+  bool lacks_call = false;            // an element is written like one
   std::string left_out;               // why a robot is none that can be checked by itself
   std::string lacks_package;          // whose files may hold all that makes it a robot
   std::vector<std::string> includes;  // absolute, all that was read below it
@@ -47,11 +48,14 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
   if (!file.expanded) return one;
   one.is_robot = makes_robot(file);
   one.has_name = !one.is_robot || has_name(file);
-  one.ok = file.expanded->ok();
+  one.ok = file.expanded->is_known();
   const xacro::Expansion& expansion = file.expanded->expansion();
   for (const xacro::Fact& fact : expansion.facts) {
     one.broken = one.broken || (fact.kind == xacro::FactKind::kNotWellFormed &&
                                 fact.where.source == expansion.files.front().source);
+    // Its parts are missing because the call of their macro is none.
+    one.lacks_call = one.lacks_call || (fact.kind == xacro::FactKind::kMissingPrefix &&
+                                        fact.where.source == expansion.files.front().source);
     if (fact.kind == xacro::FactKind::kPackageNotFound && one.lacks_package.empty())
       one.lacks_package = fact.name;
     // What is near to an argument that there is was misspelt, and no launch file gives it.
@@ -61,7 +65,8 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
                      "' has no default: give sets of arguments in [[xacro]] of rigor.toml";
     }
   }
-  if (!one.lacks_package.empty() && is_named_robot(file)) one.is_robot = one.has_name = true;
+  if ((!one.lacks_package.empty() || one.lacks_call) && is_named_robot(file))
+    one.is_robot = one.has_name = true;
   for (std::size_t i = 1; i < expansion.files.size(); ++i)
     one.includes.push_back(join_path(working_folder, expansion.files[i].path));
   return one;
