@@ -5,7 +5,7 @@
 # no file at run time.
 function(embed_schemas out)
   set(code "#include <rigor/schema/embedded.h>\n\nnamespace rigor::schema {\n")
-  foreach(name sdf.schema urdf.schema mjcf.schema gazebo.materials dialects.table)
+  foreach(name sdf.schema urdf.schema mjcf.schema gazebo.materials gazebo.models dialects.table)
     set(file ${PROJECT_SOURCE_DIR}/schemas/${name})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)

@@ -19,9 +19,9 @@ enum class FactKind : std::uint8_t {
   kUnknownRoot,  ///< the root element is of no format rigor knows; `name` is it
   kOldRoot,      ///< `<gazebo version="1.0">`
   kVersionMissing,
-  kVersionUnknown,     ///< no such version was ever published; `name` is it
-  kVersionTooNew,      ///< newer than rigor knows
-  kUnfollowedInclude,  ///< `https://` and not in the cache: not looked at
+  kVersionUnknown,  ///< no such version was ever published; `name` is it
+  kVersionTooNew,   ///< newer than rigor knows
+  kUnfollowedInclude,  ///< `https://` and not in the cache, or of Gazebo classic's database: not looked at
   kIncludeNotFound,    ///< `tried` has every place
   kIncludeUnreadable,  ///< found, but it cannot be parsed, or holds nothing; `name` says why
   kIncludeCycle,       ///< `tried` has the files of the cycle, the first again at the end

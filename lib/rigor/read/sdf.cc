@@ -10,6 +10,7 @@
 #include <rigor/read/rename.h>
 #include <rigor/read/sdf_reader.h>
 #include <rigor/read/urdf.h>
+#include <rigor/schema/gazebo_database.h>
 #include <rigor/schema/value.h>
 #include <rigor/text/digest.h>
 
@@ -40,6 +41,17 @@ model::Trajectory read_trajectory(xml::Element element) {
 }
 
 constexpr double kDegree = 0.017453292519943295;  // π/180, as libsdformat converts
+
+/// 1.7 is the last version that Gazebo classic reads. gz sim has no database of `model://` names.
+constexpr int kLastOfGazeboClassic = 7;
+
+bool downloaded_by_gazebo_classic(std::string_view uri, int version) {
+  constexpr std::string_view kModel = "model://";
+  if (version > kLastOfGazeboClassic || !uri.starts_with(kModel)) return false;
+  uri.remove_prefix(kModel.size());
+  while (uri.ends_with('/')) uri.remove_suffix(1);
+  return schema::in_gazebo_database(uri);
+}
 
 }  // namespace
 
@@ -296,7 +308,9 @@ bool SdfReader::follow(model::Include& include, xml::Element element, Scope scop
   const Resolution& found =
       reader_.workspace.resolve(reader_.resolver, include.uri.value, files_.back());
   if (!found.path) {
-    Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound,
+    const bool is_remote =
+        found.remote || downloaded_by_gazebo_classic(include.uri.value, version_);
+    Fact fact{is_remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound,
               where,
               include.uri.value,
               {}};

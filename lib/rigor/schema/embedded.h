@@ -19,6 +19,9 @@ std::string_view mjcf_schema_text();
 // The colors of Gazebo's own material script, by name: schemas/gazebo.materials.
 std::string_view gazebo_materials_text();
 
+// The models of Gazebo classic's public database: schemas/gazebo.models.
+std::string_view gazebo_models_text();
+
 // What consumers read beyond the formats: schemas/dialects.table.
 std::string_view dialects_table_text();
 
