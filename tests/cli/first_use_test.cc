@@ -142,5 +142,38 @@ TEST(FirstUse, AttachSaysThatAWheelLiesOnItsSide) {
   EXPECT_NE(ran.err.find("\"1.5707963 0 0\""), std::string::npos) << ran.err;
 }
 
+/// The list that it names is the one of the finding.
+TEST(FirstUse, TheSearchOfAUriIsAskedForWithItsFile) {
+  const Folder folder;
+  folder.put("my bots/arm/arm.urdf",
+             "<robot name='a'><link name='l'><visual><geometry>"
+             "<mesh filename='package://nowhere/m.stl'/></geometry></visual></link></robot>");
+  const Ran ran = folder.rigor("validate 'my bots'");
+  const std::string asked = "rigor resolve package://nowhere/m.stl --from 'my bots/arm/arm.urdf'";
+  ASSERT_NE(ran.out.find(asked), std::string::npos) << ran.out;
+  const Ran resolved = folder.rigor(asked.substr(6));
+  EXPECT_EQ(resolved.exit, 1) << resolved.err;
+  EXPECT_NE(resolved.out.find("my bots/arm"), std::string::npos) << resolved.out;
+}
+
+/// It is in every installation of Gazebo classic, or downloaded; gz sim knows no such database.
+TEST(FirstUse, ModelsOfGazeboClassicsDatabaseAreNoErrorsInItsWorlds) {
+  const Folder folder;
+  const auto world = [](const std::string& version, const std::string& model) {
+    return "<sdf version='" + version + "'><world name='w'><include><uri>model://" + model +
+           "</uri></include></world></sdf>\n";
+  };
+  folder.put("classic.world", world("1.6", "sun"));
+  const Ran classic = folder.rigor("validate classic.world --format concise --show info", "HOME=.");
+  EXPECT_EQ(classic.exit, 0) << classic.out;
+  EXPECT_NE(classic.out.find("info: 'model://sun' is not installed here"), std::string::npos)
+      << classic.out;
+  EXPECT_NE(classic.err.find("1 include skipped"), std::string::npos) << classic.err;
+  folder.put("misspelt.world", world("1.6", "sunn"));
+  EXPECT_EQ(folder.rigor("validate misspelt.world", "HOME=.").exit, 1);
+  folder.put("gz.sdf", world("1.9", "sun"));
+  EXPECT_EQ(folder.rigor("validate gz.sdf", "HOME=.").exit, 1);
+}
+
 }  // namespace
 }  // namespace rigor::test

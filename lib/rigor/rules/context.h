@@ -62,7 +62,8 @@ struct Finding {
   Span where;
   std::string message;
   std::string of_file = {};  ///< whose content the message quotes, where that is another file
-  bool measured = false;     ///< whether it tells numbers of the mesh only, and none of its file's text
+  bool measured =
+      false;  ///< whether it tells numbers of the mesh only, and none of its file's text
   std::string subject = {};  ///< when empty, what the elements around the place are called
   std::vector<Label> related = {};
   std::string help = {};
@@ -123,6 +124,9 @@ class Context {
   bool is_urdf() const { return inputs_.root.format == model::Format::kUrdf; }
   bool is_mjcf() const { return inputs_.root.format == model::Format::kMjcf; }
   bool is_sdf() const { return inputs_.root.format == model::Format::kSdf; }
+
+  /// Of the file that is checked, and from which URIs are resolved.
+  const std::string& path() const { return inputs_.path; }
 
   /// The bytes a span represents, as written.
   std::string_view bytes(Span span) const { return inputs_.sources.bytes(span); }

@@ -36,7 +36,7 @@ std::string help_for(const std::string& uri, const read::Resolution& found, Cont
     return "write model://" + uri.substr(kModel.size()) +
            ": after a third slash the path is absolute";
   }
-  return tried_places(places_of(found), uri);
+  return tried_places(places_of(found), uri, context.path());
 }
 
 void check(const MeshUse& use, Context& context) {

@@ -16,7 +16,7 @@ std::string help(const read::Fact& fact, const read::Resolution& found, Context&
     return "there is '" + found.other_case + "': names are case-sensitive";
   const std::string model = "model://" + fact.name;
   if (found.scheme.empty() && context.resolve(model).path) return "write " + model;
-  return tried_places(fact.tried, fact.name);
+  return tried_places(fact.tried, fact.name, context.path());
 }
 
 void check(const read::Fact& fact, Context& context) {
@@ -33,9 +33,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model is not found",
-      .why = "libsdformat rejects the whole file, and gz sim does not start; Gazebo classic leaves "
-             "the "
-             "model out.",
+      .why = "libsdformat rejects the whole file, and gz sim does not start; Gazebo classic asks "
+             "its public database of models, and leaves out what that does not have.",
       .what_to_do =
           "Correct the URI, or give the model's folder: --model-path, the paths in rigor.toml, "
           "GZ_SIM_RESOURCE_PATH, or for package:// --package and ROS_PACKAGE_PATH.",

@@ -16,8 +16,19 @@ namespace rigor::rules {
 /// Places that are listed: what to do is of more use, and `rigor resolve` prints the whole search.
 inline constexpr std::size_t kMaxTriedListed = 3;
 
-/// What to do first, then "tried a (beside the file), b (GZ_SIM_RESOURCE_PATH) and 4 more".
-inline std::string tried_places(const std::vector<std::string>& tried, std::string_view uri) {
+/// As a shell takes it for one word.
+inline std::string shell_word(std::string_view text) {
+  if (text.find_first_of(" \t'\"\\$`&;()<>|*?[]#~!{}") == std::string_view::npos)
+    return std::string(text);
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + '\'';
+}
+
+/// What to do first, then "tried a (beside the file), b (GZ_SIM_RESOURCE_PATH) and 4 more: rigor resolve …",
+/// the command that lists them all for the file.
+inline std::string tried_places(const std::vector<std::string>& tried, std::string_view uri,
+                                std::string_view file) {
   std::string text;
   constexpr std::string_view kPackage = "package://";
   if (uri.starts_with(kPackage)) {
@@ -34,7 +45,7 @@ inline std::string tried_places(const std::vector<std::string>& tried, std::stri
   for (std::size_t i = 0; i < listed; ++i) text.append(i > 0 ? ", " : "").append(tried[i]);
   if (listed == tried.size()) return text;
   return text + " and " + std::to_string(tried.size() - listed) + " more: rigor resolve " +
-         std::string(uri);
+         shell_word(uri) + " --from " + shell_word(file);
 }
 
 }  // namespace rigor::rules
