@@ -129,7 +129,7 @@ repos:
         language_version: $3
         additional_dependencies: ["$2"]
         entry: rigor validate --force-exclude
-        files: '\.(sdf|world|urdf|xacro)$|(^|/)model\.config$'
+        files: '\.(sdf|world|urdf|srdf|xacro)$|(^|/)model\.config$'
         require_serial: true
 YAML
   git add -A

@@ -135,5 +135,14 @@ TEST(SrdfCommand, RefusesWhatIsNoSrdf) {
   EXPECT_EQ(folder.rigor("srdf lost.urdf").exit, 2);
 }
 
+TEST(SrdfCommand, AFolderThatHoldsNothingElseIsChecked) {
+  const Folder folder;
+  folder.put("config/arm.srdf", "<robot name=\"arm\"><group name=\"g\"/></robot>\n");
+  const Ran ran = folder.rigor("validate config --format concise --fail-on info");
+  EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+  EXPECT_EQ(ran.err.find("holds no"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("1 file checked"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace rigor::test

@@ -110,10 +110,11 @@ TEST(Discover, AFolderWhoseModelsAreAllLeftOutSaysSo) {
   disk.put("/r/b.sdf", "");
   const Discovered found = discover(disk, {"/r"});
   ASSERT_EQ(found.unusable.size(), 1U);
-  EXPECT_EQ(found.unusable[0],
-            "/r: holds no .sdf, .world, .urdf, .xacro or model.config but in what is left out: "
-            "/r/a.sdf by "
-            "/r/.gitignore line 1: *.sdf, and 1 more");
+  EXPECT_EQ(
+      found.unusable[0],
+      "/r: holds no .sdf, .world, .urdf, .srdf, .xacro or model.config but in what is left out: "
+      "/r/a.sdf by "
+      "/r/.gitignore line 1: *.sdf, and 1 more");
 }
 
 TEST(Discover, AFolderOfMjcfSaysThatItIsToBeNamed) {
@@ -121,12 +122,13 @@ TEST(Discover, AFolderOfMjcfSaysThatItIsToBeNamed) {
   disk.put("/m/package.xml", "<package/>");
   disk.put("/m/arm/robot.xml", "<mujoco/>");
   disk.put("/p/package.xml", "<package/>");
+  EXPECT_EQ(discover(disk, {"/m"}).unusable,
+            std::vector<std::string>{
+                "/m: holds no .sdf, .world, .urdf, .srdf, .xacro or model.config; MJCF "
+                "is checked when it is named: /m/arm/robot.xml"});
   EXPECT_EQ(
-      discover(disk, {"/m"}).unusable,
-      std::vector<std::string>{"/m: holds no .sdf, .world, .urdf, .xacro or model.config; MJCF "
-                               "is checked when it is named: /m/arm/robot.xml"});
-  EXPECT_EQ(discover(disk, {"/p"}).unusable,
-            std::vector<std::string>{"/p: holds no .sdf, .world, .urdf, .xacro or model.config"});
+      discover(disk, {"/p"}).unusable,
+      std::vector<std::string>{"/p: holds no .sdf, .world, .urdf, .srdf, .xacro or model.config"});
 }
 
 TEST(Discover, AFileOfPatternsThatIsTooLongIsTold) {

@@ -146,9 +146,9 @@ class FolderWalk {
   }
 
   void semantic_file(const std::string& path, PathKind kind) {
-    if (kind == PathKind::kFile && why_not(path, kind).empty() &&
-        seen_.insert(absolute(path)).second)
-      found_.semantic.push_back(path);
+    if (kind != PathKind::kFile || !why_not(path, kind).empty()) return;
+    ++met_;
+    if (seen_.insert(absolute(path)).second) found_.semantic.push_back(path);
   }
 
   std::string why_not(const std::string& path, PathKind kind) {
@@ -183,7 +183,7 @@ class FolderWalk {
   }
 
   void no_model_in(const std::string& path) {
-    std::string message = path + ": holds no .sdf, .world, .urdf, .xacro or model.config";
+    std::string message = path + ": holds no .sdf, .world, .urdf, .srdf, .xacro or model.config";
     if (!unlisted_.empty()) message += " in what can be listed";
     if (!passed_over_.empty()) {
       message += " but in what is left out: " + passed_over_.front().path + " by " +
