@@ -166,5 +166,34 @@ TEST_F(DiffCli, AMeshIsOneFileFromTwoPlaces) {
   EXPECT_EQ(diff("deep/there.urdf '" + folder_.path("here.urdf") + "'").out, "");
 }
 
+/// Both may be one template.
+TEST_F(DiffCli, ArgumentsOfTemplatesCountForTheFileBeforeThem) {
+  folder_.put("a.xacro",
+              "<robot name=\"a\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:arg name=\"len\" default=\"1\"/>\n"
+              "  <link name=\"l\"><collision><geometry><box size=\"1 1 $(arg len)\"/></geometry>"
+              "</collision></link>\n</robot>\n");
+  const Ran differ = diff("a.xacro len:=2 a.xacro len:=3");
+  EXPECT_EQ(differ.exit, 1) << differ.out;
+  EXPECT_NE(differ.out.find("1 1 2"), std::string::npos) << differ.out;
+  EXPECT_NE(differ.out.find("1 1 3"), std::string::npos) << differ.out;
+  EXPECT_EQ(diff("a.xacro len:=2 a.xacro len:=2").exit, 0);
+  EXPECT_EQ(diff("a.xacro a.xacro len:=1").exit, 0);
+  EXPECT_EQ(diff("a.xacro a.xacro len:=2").exit, 1);
+  EXPECT_EQ(diff("len:=2 a.xacro a.xacro").exit, 0);
+  const Ran two = folder_.rigor("validate a.xacro len:=2 a.urdf len:=3");
+  EXPECT_EQ(two.exit, 2);
+  EXPECT_NE(two.err.find("len:=2 and len:=3: all files are given the same arguments"),
+            std::string::npos)
+      << two.err;
+  for (const std::string command :
+       {"fmt --check", "explain", "new", "merge", "schema", "init", "rules"}) {
+    const Ran ran = folder_.rigor(command + " a.xacro len:=2");
+    EXPECT_EQ(ran.exit, 2) << command;
+    EXPECT_NE(ran.err.find("takes no arguments of templates, as len:=2 is one"), std::string::npos)
+        << ran.err;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::test

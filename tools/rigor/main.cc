@@ -49,6 +49,10 @@ const CLI::App& chosen_command(const CLI::App& program) {
 
 std::string unknown_option(const CLI::App& app, const std::string& word) {
   const std::string bare = word.substr(0, word.find('='));
+  if (bare == kTemplateArgumentOption) {
+    return app.get_name() + " takes no arguments of templates, as " +
+           word.substr(std::min(bare.size() + 1, word.size())) + " is one";
+  }
   const std::string text = "unknown option " + bare;
   // Commands that write reports have both: --output takes a format, and -o a file.
   if (bare == "--output" && app.get_option_no_throw("--out") != nullptr)

@@ -38,11 +38,16 @@ class Diff final : public Command {
         "transmissions, ros2_control and the world, in two MJCF files armature and friction. Not "
         "compared: "
         "textures and other looks",
-        {"rigor diff old/robot.urdf robot.urdf", "rigor diff arm.sdf arm.urdf --format json"});
-    app->add_option("a", a_, "A model file, or a folder with a model.config")
-        ->required()
-        ->type_name("A");
-    app->add_option("b", b_, "The one to compare it with")->required()->type_name("B");
+        {"rigor diff old/robot.urdf robot.urdf", "rigor diff arm.sdf arm.urdf --format json",
+         "rigor diff arm.urdf.xacro length:=2 arm.urdf.xacro length:=3"});
+    option_a_ = app->add_option("a", a_,
+                                "A model file, or a folder with a model.config; name:=value behind "
+                                "it is an argument of this file alone, if it is a xacro file")
+                    ->required()
+                    ->type_name("A");
+    option_b_ = app->add_option("b", b_, "The one to compare it with, and its arguments behind it")
+                    ->required()
+                    ->type_name("B");
     app->add_option("--model", model_, "Name of one of several models in a file")
         ->type_name("NAME");
     output_.declare(*app, {"text", "json"});
@@ -58,8 +63,11 @@ class Diff final : public Command {
     Sources sources;
     read::Workspace workspace(environment.resolver, sources);
     RobotFiles files(environment, sources, workspace);
-    const read::Loaded loaded_a = files.load(a_);
-    const read::Loaded loaded_b = files.load(b_);
+    const auto load = [&](const std::string& path, std::size_t number, const CLI::Option* file) {
+      return files.load(path, number, search_.arguments_of(*file, {option_a_, option_b_}));
+    };
+    const read::Loaded loaded_a = load(a_, 1, option_a_);
+    const read::Loaded loaded_b = load(b_, 2, option_b_);
     const std::optional<robot::Robot> a = files.robot(loaded_a, model_);
     const std::optional<robot::Robot> b = files.robot(loaded_b, model_);
     if (!a || !b) return kFindings;
@@ -89,6 +97,8 @@ class Diff final : public Command {
 
  private:
   std::string a_, b_, model_;
+  const CLI::Option* option_a_ = nullptr;
+  const CLI::Option* option_b_ = nullptr;
   OutputOptions output_;
   SearchOptions search_;
 };

@@ -149,12 +149,26 @@ std::string model_path(read::Workspace& workspace, const std::string& named) {
   return path;
 }
 
-const read::File& open_model(read::Workspace& workspace, const std::string& named) {
-  const std::string path = model_path(workspace, named);
-  const read::File& file = workspace.open(path);
-  if (!file.document) throw UsageError(path + ": " + file.problem);
+namespace {
+
+const read::File& required_model(const read::File& file, read::Workspace& workspace) {
+  if (!file.document) throw UsageError(file.path + ": " + file.problem);
   if (file.expanded && !file.expanded->ok()) refuse(file, workspace.sources());
   return file;
+}
+
+}  // namespace
+
+const read::File& open_model(read::Workspace& workspace, const std::string& named) {
+  return required_model(workspace.open(model_path(workspace, named)), workspace);
+}
+
+const read::File& open_model(read::Workspace& workspace, const std::string& named, std::size_t set,
+                             const read::TemplateArguments& arguments) {
+  const std::string path = model_path(workspace, named);
+  const bool is_template = read::is_template(path);
+  return required_model(is_template ? workspace.open(path, set, arguments) : workspace.open(path),
+                        workspace);
 }
 
 const read::File& open_plain_model(read::Workspace& workspace, const std::string& named) {

@@ -24,6 +24,10 @@ std::string model_path(read::Workspace& workspace, const std::string& named);
 /// The file of `model_path`, read: a UsageError when it cannot be.
 const read::File& open_model(read::Workspace& workspace, const std::string& path);
 
+/// The same, of a template with arguments of its own: by the number of a set of them, from 1.
+const read::File& open_model(read::Workspace& workspace, const std::string& path, std::size_t set,
+                             const read::TemplateArguments& arguments);
+
 /// The same, of a model whose text is to be edited: a UsageError when it is a template.
 const read::File& open_plain_model(read::Workspace& workspace, const std::string& path);
 

@@ -76,6 +76,12 @@ read::Loaded RobotFiles::load(const std::string& path) {
   return read::load(reader, open_model(workspace_, path));
 }
 
+read::Loaded RobotFiles::load(const std::string& path, std::size_t set,
+                              const read::TemplateArguments& arguments) {
+  const read::Reader reader{workspace_, environment_.resolver, environment_.sdf, environment_.urdf};
+  return read::load(reader, open_model(workspace_, path, set, arguments));
+}
+
 std::optional<robot::Robot> RobotFiles::robot(const read::Loaded& loaded,
                                               const std::string& model) {
   std::string why = unreadable(loaded);

@@ -32,6 +32,9 @@ class RobotFiles {
 
   /// What `open_model` takes. A UsageError when it cannot be read.
   read::Loaded load(const std::string& path);
+  /// A template with arguments of its own: by the number of a set of them, from 1.
+  read::Loaded load(const std::string& path, std::size_t set,
+                    const read::TemplateArguments& arguments);
 
   /// Of several models the one that is named; the only one whatever it is called. Nothing, and said on
   /// stderr, when the file does not say where all of it is. A UsageError when none is meant.
