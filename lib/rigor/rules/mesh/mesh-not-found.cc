@@ -39,16 +39,25 @@ std::string help_for(const std::string& uri, const read::Resolution& found, Cont
   return tried_places(places_of(found), uri, context.path());
 }
 
+/// Of a template, `file://$(find NAME)/…` without its scheme where the package is not found.
+std::string shown_uri(const std::string& uri, Context& context) {
+  constexpr std::string_view kFile = "file://";
+  if (!uri.starts_with("file://package://")) return uri;
+  std::string inner = uri.substr(kFile.size());
+  return context.resolve(inner).path ? uri : inner;
+}
+
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
   if (uri.value.empty()) return;
   const read::Resolution& found = context.resolve(uri.value);
   if (found.path || found.remote || !found.other_case.empty()) return;
+  const std::string named = shown_uri(uri.value, context);
   context.report({.where = uri.span,
-                  .message = "the mesh '" + uri.value + "' is not found",
+                  .message = "the mesh '" + named + "' is not found",
                   .subject = use.subject,
-                  .help = help_for(uri.value, found, context),
-                  .cause = missing_part(uri.value, found, context),
+                  .help = help_for(named, context.resolve(named), context),
+                  .cause = missing_part(named, context.resolve(named), context),
                   .why = use.collision ? "The simulator omits the collision: nothing touches it."
                                        : "The simulator and RViz do not draw the visual."});
 }
