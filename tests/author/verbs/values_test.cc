@@ -126,15 +126,17 @@ TEST(MoveFrame, OfAnSdfLinkToItsJoint) {
   ASSERT_TRUE(X);
   const ProvenChange proven = bench.prove(model, with_frame(model, "b", *X));
   ASSERT_TRUE(proven.holds()) << VerbBench::words(proven.unasked);
-  EXPECT_TRUE(proven.asked.empty());  // the robot is the same
+  // The joints are where they were; the mass that SDF defaults to is not.
+  EXPECT_EQ(frame_at(model, "b", FramePlace::kCenterOfMass), std::nullopt);
+  const robot::Robot& after = proven.after->robot;
+  EXPECT_EQ(after.joints[0].X_PJ.translation, (model::Vector3{0.5, 0, 0}));
+  EXPECT_EQ(model.robot.bodies[1].mass.com, (model::Vector3{0.5, 0, 0}));
+  EXPECT_EQ(after.bodies[1].mass.com, (model::Vector3{0, 0, 0}));
   EXPECT_EQ(proven.files.at(0).text, R"(<sdf version="1.9"><model name="m">
   <link name="a"/>
   <link name="b">
     <pose>0.5 0 0 0 0 0</pose>
     <visual name="v"><pose>0.5 0 0 0 0 0</pose><geometry><box><size>1 1 1</size></box></geometry></visual>
-    <inertial>
-      <pose>0.5 0 0 0 0 0</pose>
-    </inertial>
   </link>
   <link name="c"><pose relative_to="b">0.5 0 1 0 0 0</pose></link>
   <joint name="j" type="fixed"><pose>0 0 0 0 0 0</pose><parent>a</parent><child>b</child></joint>

@@ -97,6 +97,16 @@ std::vector<double> with_pose(const WrittenPose& written, const Pose& X) {
   return numbers;
 }
 
+/// What is in a `<gazebo>` of a URDF is SDF.
+write::PoseForm pose_form_of(const EditedModel& edited, Element holder) {
+  const write::PoseForm form = write::pose_form(edited.root()[edited.model]);
+  if (form != write::PoseForm::kUrdf) return form;
+  for (std::optional<Element> at = holder; at; at = at->parent()) {
+    if (at->name() == "gazebo") return write::PoseForm::kPose;
+  }
+  return form;
+}
+
 std::string new_pose(write::PoseForm form, const Pose& X, const std::string& attributes) {
   const std::string xyz = write::joined(translation_numbers(X.translation, {}));
   const std::string rpy = write::joined(angle_numbers(X.rotation, 1));
@@ -116,6 +126,20 @@ Vector3 to_rpy(const Quaternion& q) {
   const double pitch = std::atan2(-R[2][0], std::hypot(R[0][0], R[1][0]));
   const double s = std::sin(yaw), c = std::cos(yaw);
   return {std::atan2(s * R[0][2] - c * R[1][2], c * R[1][1] - s * R[0][1]), pitch, yaw};
+}
+
+model::PoseField sdf_pose_in(Element holder) {
+  model::PoseField field;
+  const auto pose = holder.child("pose");
+  if (!pose) return field;
+  field.site = read::site_of(*pose);
+  field.relative_to = read::string_field(read::attribute_text(*pose, "relative_to"));
+  if (!field.relative_to.written)
+    field.relative_to = read::string_field(read::attribute_text(*pose, "frame"));
+  const auto written = written_pose(*pose, pose->text());
+  field.malformed = !written;
+  if (written) field.pose = {pose_of(*written), pose->text_span(), true};
+  return field;
 }
 
 void Draft::add(std::vector<Edit> step) {
@@ -185,7 +209,7 @@ void Draft::set_pose_text(Element pose, const Pose& X) {
 void Draft::set_pose(const model::PoseField& field, Element holder, const Pose& X,
                      const std::optional<std::string>& relative_to) {
   const xml::Document& document = edited_.document();
-  const write::PoseForm form = write::pose_form(edited_.root()[edited_.model]);
+  const write::PoseForm form = pose_form_of(edited_, holder);
   const char* const name = form == write::PoseForm::kPose ? "pose" : "origin";
   const auto pose = holder.child(name);
   const std::string_view frame =

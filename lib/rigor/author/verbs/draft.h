@@ -31,6 +31,9 @@ namespace rigor::author {
 /// elsewhere, since the roll is what is left when the yaw is undone.
 model::Vector3 to_rpy(const model::Quaternion& q);
 
+/// The `<pose>` of an element that the model does not know, as SDF reads one. `malformed` where it is none.
+model::PoseField sdf_pose_in(xml::Element holder);
+
 class Draft {
  public:
   explicit Draft(const EditedModel& edited) : edited_(edited) {}
@@ -53,7 +56,8 @@ class Draft {
   void set_axis(const model::Joint& joint, const model::Axis& axis, const model::Vector3& xyz);
 
   /// X is in the frame that the pose is relative to, as it is or as `relative_to` says from now on (SDF; empty: the
-  /// default one). A pose that is not written is added as the first child of `holder`, unless it is the identity.
+  /// default one). A pose that is not written is added as the first child of `holder`, unless it is the identity. In a
+  /// `<gazebo>` of URDF it is SDF's.
   void set_pose(const model::PoseField& field, xml::Element holder, const model::Pose& X,
                 const std::optional<std::string>& relative_to = std::nullopt);
 

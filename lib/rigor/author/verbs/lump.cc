@@ -107,7 +107,7 @@ class Lumper {
       return edited_.sources.position(span.source, span.begin).line;
     };
     for (const Placed& each : placed_in(edited_)) {
-      if (!each.field->relative_to.value.empty())
+      if (!each.field.relative_to.value.empty())
         return fmt::format("line {}: the pose names a frame, which 1.7 defines: upgrade it first",
                            line(each.holder.tag_span()));
     }
@@ -227,15 +227,15 @@ class Lumper {
       if (!part || !each.link || !holder_of(each.link)) continue;
       const std::string name = edited_.name_of(each.link);
       if (has_frames()) {
-        if (each.field->relative_to.value.empty())
-          moved.set_pose(*each.field, each.holder, each.field->pose.value, name);
+        if (each.field.relative_to.value.empty())
+          moved.set_pose(each.field, each.holder, each.field.pose.value, name);
       } else if (edited_.is_urdf() &&
                  (each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight)) {
-        draft_.set_pose(*each.field, each.holder,
-                        compose(in_holder(each.link), each.field->pose.value));
+        draft_.set_pose(each.field, each.holder,
+                        compose(in_holder(each.link), each.field.pose.value));
       } else {
-        moved.set_pose(*each.field, each.holder,
-                       compose(in_holder(each.link), each.field->pose.value));
+        moved.set_pose(each.field, each.holder,
+                       compose(in_holder(each.link), each.field.pose.value));
       }
       const auto attribute = each.holder.attribute("name");
       if (!attribute) continue;

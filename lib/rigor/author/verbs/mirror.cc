@@ -177,7 +177,7 @@ class Mirrorer {
   /// Whether the frame that the pose is in is the part's own.
   bool is_in_own_frame(const Placed& each) const {
     if (each.kind == PlacedKind::kInertial) return true;  // whatever it names
-    const std::string& name = each.field->relative_to.value;
+    const std::string& name = each.field.relative_to.value;
     if (!name.empty()) return is_named_in_part(each.scope, name);
     switch (each.kind) {
       case PlacedKind::kModel:
@@ -206,12 +206,12 @@ class Mirrorer {
         refused_ = "a pose cannot be resolved";
         continue;
       }
-      const Pose& X = each.field->pose.value;
+      const Pose& X = each.field.pose.value;
       if (is_in_own_frame(each)) {
-        draft_.set_pose(*each.field, each.holder, S_.of(X));
+        draft_.set_pose(each.field, each.holder, S_.of(X));
       } else {
         const Pose X_LF = compose(inverse(X_WL_), *each.X_WF);
-        draft_.set_pose(*each.field, each.holder, compose(inverse(X_LF), S_.of(compose(X_LF, X))));
+        draft_.set_pose(each.field, each.holder, compose(inverse(X_LF), S_.of(compose(X_LF, X))));
       }
     }
   }

@@ -9,7 +9,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/author/verbs/block.h>
 #include <rigor/author/verbs/draft.h>
 #include <rigor/author/verbs/placed.h>
 #include <rigor/author/verbs/robot_laws.h>
@@ -48,8 +47,13 @@ class FrameMover {
     }
     for (const Placed& each : placed_in(edited_)) place(each);
     rewrite_axes(joint);
-    place_default_mass();
     Change change;
+    if (has_default_mass()) {
+      change.notes.push_back(
+          fmt::format("link {} has no <inertial>: the 1 kg that SDF defaults to is at its frame, "
+                      "and moves with it",
+                      edited_.name_of(link_)));
+    }
     change.refused = draft_.problem();
     change.steps = draft_.take();
     change.expected = expected(carrier);
@@ -76,7 +80,7 @@ class FrameMover {
 
   bool is_in_link(const Placed& each) const {
     if (each.kind == PlacedKind::kInertial) return each.link == link_;  // whatever it names
-    const std::string& name = each.field->relative_to.value;
+    const std::string& name = each.field.relative_to.value;
     if (!name.empty()) return is_link(each.scope, name);
     switch (each.kind) {
       case PlacedKind::kModel:
@@ -88,36 +92,28 @@ class FrameMover {
       }
       case PlacedKind::kFrame:
         return is_link(each.scope, root_.frames[each.index].attached_to.value);
-      default: return each.link == link_;
+      default: return each.link == link_ && !each.on_joint;
     }
   }
 
   void place(const Placed& each) {
-    const Pose& X = each.field->pose.value;
+    const Pose& X = each.field.pose.value;
     if (each.kind == PlacedKind::kLink && each.index == link_.value) {
-      if (each.holder.children().empty()) return;  // with its mass
-      draft_.set_pose(*each.field, each.holder, compose(X, X_LN_));
+      draft_.set_pose(each.field, each.holder, compose(X, X_LN_));
     } else if (edited_.is_urdf() && each.kind == PlacedKind::kJoint && each.link == link_) {
-      draft_.set_pose(*each.field, each.holder, compose(X, X_LN_));
+      draft_.set_pose(each.field, each.holder, compose(X, X_LN_));
     } else if (is_in_link(each)) {
-      draft_.set_pose(*each.field, each.holder, compose(X_NL_, X));
+      draft_.set_pose(each.field, each.holder, compose(X_NL_, X));
     }
   }
 
-  /// SDF takes a mass at the link's origin where no inertial is written: 1 kg and the identity.
-  void place_default_mass() {
-    const model::Link& link = root_[link_];
-    if (edited_.is_urdf() || link.inertial.written) return;
-    const xml::Element element = edited_.element(link.site);
-    std::optional<xml::Element> last;
-    for (const xml::Element child : element.children()) last = child;
-    // A link without content gets its pose and this in one place.
-    const Pose X_FN = compose(link.pose.pose.value, X_LN_);
-    const std::string pose =
-        last ? std::string() : "<pose>" + xyz_text(X_FN) + ' ' + rpy_text(X_FN) + "</pose>\n";
-    draft_.insert(element, last,
-                  pose + "<inertial>\n  <pose>" + xyz_text(X_NL_) + ' ' + rpy_text(X_NL_) +
-                      "</pose>\n</inertial>");
+  /// 1 kg and the identity, which SDF takes at the link's frame, wherever that is.
+  bool has_default_mass() const { return !edited_.is_urdf() && !root_[link_].inertial.written; }
+
+  Pose new_frame_in_body() const {
+    const Pose X_ML =
+        compose(inverse(*edited_.frames.pose(edited_.model)), *edited_.frames.pose(link_));
+    return compose(inverse(edited_.robot.bodies[body_].X_MB), compose(X_ML, X_LN_));
   }
 
   void rewrite_axes(const robot::Joint* carrier) {
@@ -136,8 +132,12 @@ class FrameMover {
 
   robot::Robot expected(std::uint32_t carrier) const {
     robot::Robot robot = edited_.robot;
-    if (carrier != robot::kNoIndex && !edited_.is_urdf()) return robot;
+    if (carrier != robot::kNoIndex && !edited_.is_urdf()) {
+      if (has_default_mass()) robot.bodies[body_].mass.com = new_frame_in_body().translation;
+      return robot;
+    }
     describe_in(robot, body_, X_LN_);
+    if (has_default_mass()) robot.bodies[body_].mass.com = {};
     if (carrier == robot::kNoIndex) {
       if (edited_.is_urdf()) robot.bodies[body_].X_MB = {};
     } else {
@@ -163,6 +163,8 @@ std::optional<Pose> frame_at(const EditedModel& edited, std::string_view link, F
   const Id<model::Link> id = edited.link(link);
   const std::uint32_t body = edited.body_index(link);
   if (!id || body == robot::kNoIndex) return std::nullopt;
+  if (place == FramePlace::kCenterOfMass && !edited.root()[id].inertial.written)
+    return std::nullopt;
   const Pose X_ML = compose(inverse(*edited.frames.pose(edited.model)), *edited.frames.pose(id));
   const robot::Body& carried = edited.robot.bodies[body];
   const Pose X_LB = compose(inverse(X_ML), carried.X_MB);

@@ -6,7 +6,7 @@
 //   const Change change = with_frame(*edited, "base_link", *frame_at(*edited, "base_link", FramePlace::kCenterOfMass));
 //
 // In URDF a link's frame is its joint's: it moves freely where that is fixed, and along the axis where it moves. In SDF
-// joints stay where they are.
+// joints stay where they are, and the mass that SDF defaults to is at the frame of its link.
 
 #pragma once
 
@@ -24,7 +24,8 @@ enum class FramePlace : std::uint8_t {
   kJoint,         ///< that carries the link
 };
 
-/// The pose of that place in the link's frame; nothing where there is none, or no such link.
+/// The pose of that place in the link's frame; nothing where there is none, as a center of mass without an
+/// `<inertial>`, or no such link.
 std::optional<model::Pose> frame_at(const EditedModel& edited, std::string_view link,
                                     FramePlace place);
 

@@ -3,14 +3,49 @@
 
 #include <rigor/author/verbs/placed.h>
 
+#include <algorithm>
+#include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
+
+#include <rigor/author/verbs/draft.h>
+#include <rigor/read/values.h>
+#include <rigor/write/numbers.h>
 
 namespace rigor::author {
 namespace {
 
 using model::Id;
 using model::Pose;
+
+constexpr std::string_view kEmitters[] = {"particle_emitter", "projector", "audio_source"};
+
+bool is_emitter(std::string_view name) {
+  return std::find(std::begin(kEmitters), std::end(kEmitters), name) != std::end(kEmitters);
+}
+
+/// Of an `<origin xyz rpy>` that the model does not know.
+model::PoseField origin_of(xml::Element holder) {
+  model::PoseField field;
+  const auto origin = holder.child("origin");
+  if (!origin) return field;
+  field.site = read::site_of(*origin);
+  const auto vector = [&](std::string_view name) -> model::Vector3 {
+    const auto text = read::attribute_text(*origin, name);
+    if (!text) return {};
+    const auto numbers = write::numbers_in(text->text);
+    if (!numbers || numbers->size() != 3) {
+      field.malformed = true;
+      return {};
+    }
+    return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  };
+  const model::Vector3 xyz = vector("xyz"), rpy = vector("rpy");
+  field.pose.value = {xyz, model::from_rpy(rpy.x, rpy.y, rpy.z)};
+  field.pose.written = true;
+  return field;
+}
 
 class PlacedCollector {
  public:
@@ -31,8 +66,14 @@ class PlacedCollector {
     inertials();
     parts(root_.collisions, PlacedKind::kCollision);
     parts(root_.visuals, PlacedKind::kVisual);
-    sensors();
-    parts(root_.lights, PlacedKind::kLight);
+    if (edited_.is_urdf()) {
+      blocks();
+      urdf_sensors();
+    } else {
+      sensors();
+      parts(root_.lights, PlacedKind::kLight);
+      emitters();
+    }
     return std::move(found_);
   }
 
@@ -51,7 +92,7 @@ class PlacedCollector {
            std::uint32_t index) {
     std::optional<Pose> X_WF;
     if (X_WT) X_WF = compose(*X_WT, inverse(field.pose.value));
-    found_.push_back({kind, &field, edited_.element(holder), X_WF, link, scope, index});
+    found_.push_back({kind, field, edited_.element(holder), X_WF, link, scope, index});
   }
 
   template <class T, class LinkOf>
@@ -82,7 +123,7 @@ class PlacedCollector {
       if (!link.inertial.written || !is_here(link.inertial.site, link.model)) continue;
       const auto X_WL = edited_.frames.pose(Id<model::Link>{i});
       found_.push_back({PlacedKind::kInertial,
-                        &link.inertial.pose,
+                        link.inertial.pose,
                         edited_.element(link.inertial.site),
                         X_WL,
                         {i},
@@ -100,22 +141,82 @@ class PlacedCollector {
     }
   }
 
-  /// Of a URDF those of `<gazebo>` blocks are in the frame of the link that the block names.
   void sensors() {
     for (std::uint32_t i = 0; i < root_.sensors.size(); ++i) {
       const model::Sensor& sensor = root_.sensors[i];
       Id<model::Link> link = sensor.link;
       if (!link && sensor.joint) link = edited_.frames.ends(sensor.joint).child;
-      if (!link && !sensor.gazebo_reference.empty()) link = edited_.link(sensor.gazebo_reference);
       if (!link || !is_here(sensor.site, root_[link].model)) continue;
-      if (sensor.link || sensor.joint) {
-        add(PlacedKind::kSensor, sensor.pose, sensor.site,
-            edited_.frames.pose(Id<model::Sensor>{i}), link, root_[link].model, i);
-      } else {
-        found_.push_back({PlacedKind::kSensor, &sensor.pose, edited_.element(sensor.site),
-                          edited_.frames.pose(link), link, root_[link].model, i});
+      add(PlacedKind::kSensor, sensor.pose, sensor.site, edited_.frames.pose(Id<model::Sensor>{i}),
+          link, root_[link].model, i);
+      found_.back().on_joint = static_cast<bool>(sensor.joint);
+    }
+  }
+
+  /// The frame that a pose with that `relative_to` is in.
+  std::optional<Pose> frame_of(const std::string& relative_to, Id<model::Link> link) const {
+    if (relative_to.empty()) return edited_.frames.pose(link);
+    std::optional<Pose> X_WF;
+    std::visit(
+        [&](const auto& frame) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(frame)>, std::monostate>)
+            X_WF = edited_.frames.pose(frame);
+        },
+        edited_.frames.names().find({root_[link].model, {}}, relative_to));
+    return X_WF;
+  }
+
+  /// What the model does not know, with a `<pose>` as of SDF.
+  void add_unknown(PlacedKind kind, xml::Element holder, Id<model::Link> link) {
+    const model::PoseField field = sdf_pose_in(holder);
+    found_.push_back(
+        {kind, field, holder, frame_of(field.relative_to.value, link), link, root_[link].model, 0});
+  }
+
+  void emitters() {
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      const model::Link& link = root_.links[i];
+      if (!is_here(link.site, link.model) || root_[link.model].version == 0) continue;
+      for (const xml::Element child : edited_.element(link.site).children()) {
+        if (is_emitter(child.name())) add_unknown(PlacedKind::kEmitter, child, {i});
       }
     }
+  }
+
+  /// What libsdformat copies from a block into the link, as it is written there.
+  void blocks() {
+    for (const model::GazeboBlock& block : root_.gazebo_blocks) {
+      const Id<model::Link> link = edited_.link(block.reference.value);
+      if (!link || !is_here(block.site, root_[link].model)) continue;
+      for (const xml::Element child : edited_.element(block.site).children()) {
+        const std::string_view name = child.name();
+        if (name == "sensor") add_unknown(PlacedKind::kSensor, child, link);
+        if (name == "light") add_unknown(PlacedKind::kLight, child, link);
+        if (is_emitter(name)) add_unknown(PlacedKind::kEmitter, child, link);
+      }
+    }
+  }
+
+  /// `<sensor>` of the robot, with its `<parent link>` and `<origin>`.
+  void urdf_sensors() {
+    if (!root_.own(root_[edited_.model].site)) return;
+    for (const xml::Element child : edited_.element(root_[edited_.model].site).children()) {
+      if (child.name() != "sensor") continue;
+      const Id<model::Link> link = parent_of_sensor(child);
+      if (!link) continue;
+      found_.push_back({PlacedKind::kSensor, origin_of(child), child, edited_.frames.pose(link),
+                        link, root_[link].model, 0});
+    }
+  }
+
+  /// A joint's frame is that of the link it carries.
+  Id<model::Link> parent_of_sensor(xml::Element sensor) const {
+    const auto parent = sensor.child("parent");
+    if (!parent) return {};
+    if (const auto link = parent->attribute("link")) return edited_.link(link->value());
+    const auto joint = parent->attribute("joint");
+    const Id<model::Joint> id = joint ? edited_.joint(joint->value()) : Id<model::Joint>{};
+    return id ? edited_.frames.ends(id).child : Id<model::Link>{};
   }
 
   const EditedModel& edited_;

@@ -32,21 +32,23 @@ enum class PlacedKind : std::uint8_t {
   kVisual,
   kSensor,
   kLight,
+  kEmitter,  ///< a particle emitter, projector or audio source
 };
 
 struct Placed {
   PlacedKind kind{};
-  const model::PoseField* field = nullptr;
+  model::PoseField field;
   xml::Element holder;              ///< of the `<pose>` or `<origin>`, or of its place
   std::optional<model::Pose> X_WF;  ///< at rest: of the frame that the pose is in
   model::Id<model::Link>
       link;  ///< that it is in; of a link itself, of a joint its child, of a frame its carrier
   model::Id<model::Model> scope;  ///< in which names are looked up
   std::uint32_t index = 0;        ///< of the entity in the root's list; of an inertial, its link's
+  bool on_joint = false;          ///< an SDF sensor in a joint, in whose frame its pose is
 };
 
 /// Those of the model and of models nested in it that the file itself holds, not the model's own. A URDF's links have
-/// no poses.
+/// no poses. Of sensors and emitters that URDF has no list of there is no index.
 std::vector<Placed> placed_in(const EditedModel& edited);
 
 /// Whether all that the model holds is in its file; else the path of one that it includes.

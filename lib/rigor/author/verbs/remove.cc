@@ -170,8 +170,8 @@ class Remover {
           continue;
         }
         const model::Pose X_MT =
-            compose(inverse(*X_WM), compose(*each.X_WF, each.field->pose.value));
-        draft_.set_pose(*each.field, each.holder, X_MT, "__model__");
+            compose(inverse(*X_WM), compose(*each.X_WF, each.field.pose.value));
+        draft_.set_pose(each.field, each.holder, X_MT, "__model__");
       }
     }
   }

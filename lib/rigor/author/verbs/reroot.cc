@@ -114,16 +114,17 @@ class Rerooter {
       if (each.kind == PlacedKind::kJoint) {
         const model::Joint& joint = root_.joints[each.index];
         if (turned_.contains(each.index)) {
-          draft_.set_pose(*each.field, each.holder, origin[each.index]);
+          draft_.set_pose(each.field, each.holder, origin[each.index]);
           swap_ends(joint);
           negate_axes(joint);
           continue;
         }
         const auto moved = X_NB.find(edited_.link(joint.parent.value).value);
         if (moved != X_NB.end())
-          draft_.set_pose(*each.field, each.holder, compose(moved->second, each.field->pose.value));
-      } else if (const auto moved = X_NB.find(each.link.value); moved != X_NB.end()) {
-        draft_.set_pose(*each.field, each.holder, compose(moved->second, each.field->pose.value));
+          draft_.set_pose(each.field, each.holder, compose(moved->second, each.field.pose.value));
+      } else if (const auto moved = X_NB.find(each.link.value);
+                 moved != X_NB.end() && each.field.relative_to.value.empty()) {
+        draft_.set_pose(each.field, each.holder, compose(moved->second, each.field.pose.value));
       }
     }
   }

@@ -121,9 +121,9 @@ class Scaler {
 
   Change scale() {
     for (const Placed& each : placed_in(edited_)) {
-      model::Pose X = each.field->pose.value;
+      model::Pose X = each.field.pose.value;
       X.translation = f_ * X.translation;
-      draft_.set_pose(*each.field, each.holder, X);
+      draft_.set_pose(each.field, each.holder, X);
     }
     for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
       if (edited_.inside(root_.links[i].model)) scale_inertial(root_.links[i], Id<model::Link>{i});

@@ -223,9 +223,9 @@ class Splitter {
   std::vector<Edit> poses_in_new() {
     Draft moved(edited_);
     for (const Placed& each : placed_in(edited_)) {
-      if (!taken_.contains(each.holder.index()) || !each.field->relative_to.value.empty()) continue;
-      moved.set_pose(*each.field, each.holder,
-                     compose(inverse(request_.X_LN), each.field->pose.value));
+      if (!taken_.contains(each.holder.index()) || !each.field.relative_to.value.empty()) continue;
+      moved.set_pose(each.field, each.holder,
+                     compose(inverse(request_.X_LN), each.field.pose.value));
     }
     return draft_.edits_for_copy(std::move(moved));
   }

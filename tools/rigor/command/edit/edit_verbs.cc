@@ -274,7 +274,12 @@ Change move_frame(const EditRequest& request, ModelReader&, const EditedModel& e
   if (to != "com" && to != "joint") return author::with_frame(edited, link, pose_of("--to", to));
   const auto place = to == "com" ? author::FramePlace::kCenterOfMass : author::FramePlace::kJoint;
   const auto X_LN = author::frame_at(edited, link, place);
-  if (!X_LN) return author::refusal("'" + link + "' is no link with a " + to);
+  if (!X_LN && !edited.link(link)) return author::refusal("no link is named '" + link + "'");
+  if (!X_LN && to == "com") {
+    return author::refusal("link '" + link +
+                           "' has no <inertial>, which would say where its center of mass is");
+  }
+  if (!X_LN) return author::refusal("link '" + link + "' is on no joint");
   return author::with_frame(edited, link, *X_LN);
 }
 
