@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/lump/lump.h>
 #include <rigor/author/verbs/mirror.h>
 #include <rigor/author/verbs/move_frame.h>
 #include <rigor/author/verbs/prefix.h>

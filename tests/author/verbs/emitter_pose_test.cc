@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <rigor/author/verbs/lump/lump.h>
 #include <rigor/author/verbs/mirror.h>
 #include <rigor/author/verbs/move_frame.h>
 #include <rigor/author/verbs/scale.h>
@@ -71,6 +72,17 @@ TEST(EmitterPose, OfAScaledAndAMirroredModel) {
   EXPECT_NE(image.find(plume_poses("0 -0.5 0.25 0 0 0", "0 0 0.5 0 0 0", "0.5 0 0 0 0 0")),
             std::string::npos)
       << image;
+}
+
+TEST(EmitterPose, OfALumpedLink) {
+  VerbBench bench({{"m.sdf", plume("fixed", "")}});
+  const EditedModel& m = bench.open("m.sdf");
+  const std::string text = bench.text(m, lumped(m, {}));
+  EXPECT_NE(text.find(plume_poses("1 0.5 0.25 0 0 0", "1 0 0.5 0 0 0", "1.5 0 0 0 0 0")),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<battery name=\"cell\"><voltage>12</voltage></battery>"), std::string::npos)
+      << text;
 }
 
 }  // namespace

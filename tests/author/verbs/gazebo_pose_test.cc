@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <rigor/author/verbs/lump/lump.h>
 #include <rigor/author/verbs/mirror.h>
 #include <rigor/author/verbs/move_frame.h>
 #include <rigor/author/verbs/reroot.h>
@@ -74,6 +75,14 @@ class GazeboPose : public testing::Test {
   VerbBench bench_;
   const EditedModel& robot_;
 };
+
+TEST_F(GazeboPose, OfALumpedLink) {
+  const std::string text = changed(lumped(robot_, {}));
+  expect_sensors(text, "base", {0.31, 0.12, 0.53}, {0.3, 0.1, 0.5});
+  expect_text(text, "<pose degrees=\"true\">0.3 0.1 0.75 0 0 90</pose></light>");
+  expect_text(text, "<parent link=\"base\"/>\n    <origin xyz=\"0.3 0.1 1.5\"/>");
+  expect_sensor(bench_.open_text("r.urdf", text), "b", "base", {1, 0, 0});
+}
 
 TEST_F(GazeboPose, OfAScaledRobot) {
   const std::string text = changed(scaled(robot_, 2, {}));

@@ -3,7 +3,7 @@
 //
 // lump: sums by hand, and where things end up.
 
-#include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/lump/lump.h>
 
 #include <gtest/gtest.h>
 
@@ -151,7 +151,7 @@ TEST(Lump, AnOldSdfsFixedJoints) {
   EXPECT_EQ(text.find("<frame"), std::string::npos) << text;
   EXPECT_NE(text.find("<bodyName>mast</bodyName>"), std::string::npos) << text;
   ASSERT_EQ(change.notes.size(), 2U);
-  EXPECT_EQ(change.notes[1], "line 31: <bodyName> may still name link mast");
+  EXPECT_EQ(change.notes[1], "m.sdf:31: a plugin names link mast, which is part of base now");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/lump/lump.h>
 
 #include "author/verbs/verb_bench.h"
 
@@ -260,6 +260,47 @@ TEST(Split, AnSdfLinkAtAFrame) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("<mass>2</mass>"), std::string::npos) << text;
+}
+
+/// One link before has one gravity and one friction: so have both after.
+TEST(Split, WhatALinkSaysOfItselfBothSay) {
+  VerbBench bench({{"m.sdf", R"(<sdf version="1.9"><model name="m">
+  <link name="a">
+    <gravity>false</gravity>
+    <velocity_decay>
+      <linear>0.5</linear>
+    </velocity_decay>
+    <inertial><mass>2</mass></inertial>
+    <visual name="v"><geometry><sphere><radius>1</radius></sphere></geometry></visual>
+    <visual name="w"><geometry><sphere><radius>1</radius></sphere></geometry></visual>
+  </link>
+</model></sdf>
+)"},
+                   {"r.urdf", R"(<robot name="r">
+  <link name="a">
+    <visual name="v"><geometry><sphere radius="1"/></geometry></visual>
+    <visual name="w"><geometry><sphere radius="1"/></geometry></visual>
+  </link>
+  <gazebo reference="a"><material>Gazebo/Red</material><sensor name="s" type="imu"/></gazebo>
+</robot>
+)"}});
+  SplitRequest request;
+  request.name = "b";
+  request.take = {"w"};
+  const EditedModel& robot = bench.open("r.urdf");
+  const std::string urdf = bench.text(robot, split(robot, "a", request));
+  EXPECT_NE(
+      urdf.find("  <gazebo reference=\"b\">\n    <material>Gazebo/Red</material>\n  </gazebo>\n"),
+      std::string::npos)
+      << urdf;
+  request.share = SplitMass::kGiven;
+  request.mass = 1;
+  const EditedModel& model = bench.open("m.sdf");
+  const std::string sdf = bench.text(model, split(model, "a", request));
+  const std::size_t b = sdf.find("<link name=\"b\">");
+  ASSERT_NE(b, std::string::npos);
+  EXPECT_NE(sdf.find("<gravity>false</gravity>", b), std::string::npos) << sdf;
+  EXPECT_NE(sdf.find("<linear>0.5</linear>", b), std::string::npos) << sdf;
 }
 
 TEST(Split, Refusals) {

@@ -13,6 +13,7 @@
 #include <rigor/author/verbs/block.h>
 #include <rigor/author/verbs/draft.h>
 #include <rigor/author/verbs/inertial_block.h>
+#include <rigor/author/verbs/lump/link_settings.h>
 #include <rigor/author/verbs/placed.h>
 #include <rigor/mass/link_body.h>
 #include <rigor/xml/edit.h>
@@ -187,6 +188,8 @@ class Splitter {
                          inverse(request_.X_LN)));
     }
     for (const xml::Element child : element.children()) {
+      if (!edited_.is_urdf() && is_link_setting(child.name()))
+        text += xml::indentation(document, child) + bytes_of(child) + line;
       if (!taken_.contains(child.index())) continue;
       text += xml::indentation(document, child) +
               part_after(document, child.span().begin, child.span().end, edits) + line;
@@ -203,11 +206,30 @@ class Splitter {
       add(fmt::format("<parent>{}</parent>", xml::escaped(link_)));
       add(fmt::format("<child>{}</child>", xml::escaped(new_)));
     }
-    text += in + "</joint>";
+    text += in + "</joint>" + block_of_settings(in, unit, line);
     const Span span = element.span();
     draft_.add({{{span.source, span.end, span.end}, std::move(text)}});
     if (goes_.mass == 0) return;
     set_inertial(draft_, edited_, root_[id_], stays_);
+  }
+
+  std::string bytes_of(xml::Element element) const {
+    return std::string(edited_.sources.bytes(element.span()));
+  }
+
+  /// URDF: what the link's `<gazebo>` blocks say of it, for the new one.
+  std::string block_of_settings(const std::string& in, const std::string& unit,
+                                const std::string& line) const {
+    std::string content;
+    for (const model::GazeboBlock& block : root_.gazebo_blocks) {
+      if (block.reference.value != link_ || !root_.own(block.site)) continue;
+      for (const xml::Element child : edited_.element(block.site).children()) {
+        if (is_block_setting(child.name())) content += in + unit + bytes_of(child) + line;
+      }
+    }
+    if (content.empty()) return {};
+    return line + in + fmt::format("<gazebo reference=\"{}\">", xml::escaped(new_)) + line +
+           content + in + "</gazebo>";
   }
 
   std::string pose_text() const {

@@ -10,7 +10,8 @@
 //
 // Visuals, collisions, sensors and lights that are named move to the new link with their bytes, but for their poses;
 // joints that are named hang on it. All that was somewhere is there still. Both links together have the mass, center of
-// mass and tensor that the link had.
+// mass and tensor that the link had. What the link says of itself, as its gravity or its `<gazebo>` friction, the new one
+// says, too.
 
 #pragma once
 

@@ -12,7 +12,7 @@
 #include <rigor/author/verbs/add/add.h>
 #include <rigor/author/verbs/attach.h>
 #include <rigor/author/verbs/attach_macro.h>
-#include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/lump/lump.h>
 #include <rigor/author/verbs/merge.h>
 #include <rigor/author/verbs/mirror.h>
 #include <rigor/author/verbs/move_frame.h>

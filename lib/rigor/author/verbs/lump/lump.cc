@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/lump/lump.h>
 
 #include <algorithm>
 #include <map>
@@ -14,6 +14,8 @@
 #include <rigor/author/verbs/block.h>
 #include <rigor/author/verbs/draft.h>
 #include <rigor/author/verbs/inertial_block.h>
+#include <rigor/author/verbs/lump/link_settings.h>
+#include <rigor/author/verbs/lump/lump_references.h>
 #include <rigor/author/verbs/placed.h>
 #include <rigor/author/verbs/robot_laws.h>
 #include <rigor/read/values.h>
@@ -44,6 +46,10 @@ class Lumper {
       return refusal("a part of it is in " + *included);
     if (std::string fault = find_holders(); !fault.empty()) return refusal(std::move(fault));
     if (std::string fault = fault_of_old_file(); !fault.empty()) return refusal(std::move(fault));
+    if (std::string fault = fault_of_grippers(); !fault.empty()) return refusal(std::move(fault));
+    if (std::string fault = fault_of_frames(); !fault.empty()) return refusal(std::move(fault));
+    if (std::string fault = fault_of_settings(edited_, held_by_, joints_); !fault.empty())
+      return refusal(std::move(fault));
     rename_parts();
     move_contents();
     if (edited_.is_urdf()) {
@@ -57,7 +63,8 @@ class Lumper {
     change.expected = law();
     for (const auto& [link, holder] : held_by_)
       change.notes.push_back(fmt::format("link {} is part of {} now", link, holder));
-    change.notes.insert(change.notes.end(), notes_.begin(), notes_.end());
+    for (std::string& line : names_left(edited_, held_by_, joints_))
+      change.notes.push_back(std::move(line));
     change.asks_for_setting = [](const robot::Difference&) { return true; };
     return change;
   }
@@ -99,25 +106,44 @@ class Lumper {
     return !edited_.is_urdf() && root_[edited_.model].version >= kFirstWithAttachedFrames;
   }
 
-  /// Of SDF before 1.7, what would go on naming a link that is gone, and poses in frames that only 1.5 and 1.6 knew.
+  /// Of SDF before 1.7: poses in frames that only 1.5 and 1.6 knew.
   std::string fault_of_old_file() const {
     if (edited_.is_urdf() || has_frames()) return {};
     if (root_[edited_.model].version == 0) return "it is SDF 1.0: upgrade it first";
-    const auto line = [&](Span span) {
-      return edited_.sources.position(span.source, span.begin).line;
-    };
     for (const Placed& each : placed_in(edited_)) {
       if (!each.field.relative_to.value.empty())
         return fmt::format("line {}: the pose names a frame, which 1.7 defines: upgrade it first",
-                           line(each.holder.tag_span()));
+                           line_of(each.holder));
     }
+    return {};
+  }
+
+  /// A hand of Gazebo is made of links.
+  std::string fault_of_grippers() const {
     for (std::uint32_t i = 0; i < edited_.document().element_count(); ++i) {
       const xml::Element element = edited_.document().element(i);
-      const std::string_view name = element.name();
-      if (name == "palm_link" || name == "gripper_link") {
-        if (held_by_.contains(std::string(read::trimmed(element.text()))))
-          return fmt::format("line {}: a gripper names it", line(element.tag_span()));
-      }
+      if (element.name() != "palm_link" && element.name() != "gripper_link") continue;
+      const auto parent = element.parent();
+      if (!parent || parent->name() != "gripper") continue;
+      if (held_by_.contains(std::string(read::trimmed(element.text()))))
+        return fmt::format("line {}: a gripper names it", line_of(element));
+    }
+    return {};
+  }
+
+  std::uint32_t line_of(xml::Element element) const {
+    const Span tag = element.tag_span();
+    return edited_.sources.position(tag.source, tag.begin).line;
+  }
+
+  /// Of URDF: SDF in a `<gazebo>` whose pose is in a frame that goes.
+  std::string fault_of_frames() const {
+    if (!edited_.is_urdf()) return {};
+    for (const Placed& each : placed_in(edited_)) {
+      const std::string& frame = each.field.relative_to.value;
+      if (held_by_.contains(frame) || joints_.contains(frame))
+        return fmt::format("line {}: a pose is relative to '{}', which would go",
+                           line_of(each.holder), frame);
     }
     return {};
   }
@@ -149,7 +175,7 @@ class Lumper {
         if (!link) continue;
         for (const xml::Element child : edited_.element(root_[link].site).children()) {
           const auto name = child.attribute("name");
-          for (const char* kind : {"sensor", "light"}) {
+          for (const char* kind : {"sensor", "light", "particle_emitter", "projector", "battery"}) {
             if (name && child.name() == kind) use(body.name, kind, std::string(name->value()));
           }
         }
@@ -206,9 +232,7 @@ class Lumper {
       if (!blocks.contains(holder)) order.push_back(holder);
       std::string& block = blocks[holder];
       for (const xml::Element child : edited_.element(root_[link].site).children()) {
-        const std::string_view name = child.name();
-        if (name != "collision" && name != "visual" && name != "sensor" && name != "light")
-          continue;
+        if (!is_movable_part(child.name())) continue;
         if (!block.empty()) block += line;
         block += xml::indentation(document, child) +
                  part_after(document, child.span().begin, child.span().end, edits);
@@ -222,28 +246,62 @@ class Lumper {
   std::vector<Edit> poses_in_holders() {
     Draft moved(edited_);
     for (const Placed& each : placed_in(edited_)) {
-      const bool part = each.kind == PlacedKind::kCollision || each.kind == PlacedKind::kVisual ||
-                        each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight;
-      if (!part || !each.link || !holder_of(each.link)) continue;
-      const std::string name = edited_.name_of(each.link);
-      if (has_frames()) {
-        if (each.field.relative_to.value.empty())
-          moved.set_pose(each.field, each.holder, each.field.pose.value, name);
-      } else if (edited_.is_urdf() &&
-                 (each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight)) {
-        draft_.set_pose(each.field, each.holder,
-                        compose(in_holder(each.link), each.field.pose.value));
-      } else {
-        moved.set_pose(each.field, each.holder,
-                       compose(in_holder(each.link), each.field.pose.value));
-      }
-      const auto attribute = each.holder.attribute("name");
-      if (!attribute) continue;
-      const auto other = renamed_.find(
-          {name + ' ' + std::string(each.holder.name()), std::string(attribute->value())});
-      if (other != renamed_.end()) moved.add({{attribute->value_span(), other->second}});
+      if (is_part(each) && holder_of(each.link)) place_in_holder(each, moved);
+    }
+    for (const auto& [link, holder] : held_by_) {
+      if (edited_.is_urdf()) continue;
+      for (const xml::Element child : edited_.element(root_[edited_.link(link)].site).children())
+        rename_part(link, child, moved);
     }
     return draft_.edits_for_copy(std::move(moved));
+  }
+
+  static bool is_part(const Placed& each) {
+    return each.link && !each.on_joint &&
+           (each.kind == PlacedKind::kCollision || each.kind == PlacedKind::kVisual ||
+            each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight ||
+            each.kind == PlacedKind::kEmitter);
+  }
+
+  void place_in_holder(const Placed& each, Draft& moved) {
+    const bool is_default = each.field.relative_to.value.empty();
+    const Pose X =
+        is_default ? compose(in_holder(each.link), each.field.pose.value) : each.field.pose.value;
+    if (edited_.is_urdf()) {
+      const Span link = root_[each.link].site.span, part = each.holder.span();
+      const bool is_inside = link.begin < part.begin && part.end <= link.end;
+      if (is_default) (is_inside ? moved : draft_).set_pose(each.field, each.holder, X);
+      return;
+    }
+    // What plays a sound reads numbers alone.
+    const bool by_frame = has_frames() && each.kind != PlacedKind::kEmitter;
+    if (by_frame && is_default) {
+      moved.set_pose(each.field, each.holder, each.field.pose.value, edited_.name_of(each.link));
+    } else if (is_default) {
+      moved.set_pose(each.field, each.holder, X);
+    }
+  }
+
+  const std::string* new_name(const std::string& link, std::string_view kind,
+                              std::string_view name) const {
+    const auto other = renamed_.find({link + ' ' + std::string(kind), std::string(name)});
+    return other == renamed_.end() ? nullptr : &other->second;
+  }
+
+  /// And in it the collisions that it names.
+  void rename_part(const std::string& link, xml::Element part, Draft& moved) const {
+    const auto attribute = part.attribute("name");
+    if (attribute) {
+      if (const std::string* name = new_name(link, part.name(), attribute->value()))
+        moved.add({{attribute->value_span(), xml::escaped(*name)}});
+    }
+    const auto contact = part.child("contact");
+    if (!contact) return;
+    for (const xml::Element child : contact->children()) {
+      if (child.name() != "collision") continue;
+      if (const std::string* name = new_name(link, "collision", read::trimmed(child.text())))
+        moved.set_text(child, *name);
+    }
   }
 
   /// What it holds now, and the mass of all.
@@ -297,18 +355,30 @@ class Lumper {
       draft_.set_pose(joint.pose, edited_.element(joint.site),
                       compose(in_holder(parent), joint.pose.pose.value));
     }
-    for (const model::GazeboBlock& block : root_.gazebo_blocks) {
-      const std::string& name = block.reference.value;
-      if (const auto held = held_by_.find(name); held != held_by_.end()) {
-        draft_.add({{block.reference.span, held->second}});
-      } else if (joints_.contains(name)) {
-        draft_.remove(edited_.element(block.site));
-      }
+    move_blocks(draft_, edited_, held_by_, joints_);
+    for (const xml::Element child : edited_.element(root_[edited_.model].site).children()) {
+      if (child.name() == "sensor") move_sensor(child);
+    }
+  }
+
+  /// Of the robot, which names the link or joint that it is on.
+  void move_sensor(xml::Element sensor) {
+    const auto parent = sensor.child("parent");
+    if (!parent) return;
+    const auto link = parent->attribute("link"), joint = parent->attribute("joint");
+    if (link) {
+      const auto held = held_by_.find(std::string(link->value()));
+      if (held != held_by_.end()) draft_.set_attribute(*parent, "link", held->second);
+    } else if (joint && joints_.contains(std::string(joint->value()))) {
+      const Id<model::Joint> id = edited_.joint(joint->value());
+      const std::string& holder = edited_.name_of(holder_of(edited_.frames.ends(id).child));
+      draft_.add(xml::replace_element(edited_.document(), *parent,
+                                      "<parent link=\"" + xml::escaped(holder) + "\"/>"));
     }
   }
 
   /// Joints name the holder; the pose of one is in its child, which may be what is held where the parent is the child
-  /// in the robot. What else names a link that is gone is listed.
+  /// in the robot.
   void rewrite_old_sdf() {
     for (const model::Joint& joint : root_.joints) {
       if (joint.model != edited_.model) continue;
@@ -326,20 +396,15 @@ class Lumper {
         draft_.set_pose(joint.pose, element, compose(in_holder(child), joint.pose.pose.value));
       }
     }
-    for (std::uint32_t i = 0; i < edited_.document().element_count(); ++i) {
-      const xml::Element element = edited_.document().element(i);
-      const auto held = held_by_.find(std::string(read::trimmed(element.text())));
-      if (held == held_by_.end() || element.name() == "parent" || element.name() == "child")
-        continue;
-      const Span span = element.tag_span();
-      notes_.push_back(fmt::format("line {}: <{}> may still name link {}",
-                                   edited_.sources.position(span.source, span.begin).line,
-                                   element.name(), held->first));
-    }
   }
 
   /// The links and their joints stay as frames.
   void rewrite_sdf() {
+    const xml::Element model = edited_.element(root_[edited_.model].site);
+    if (const auto link = model.attribute("canonical_link")) {
+      const auto held = held_by_.find(std::string(link->value()));
+      if (held != held_by_.end()) draft_.set_attribute(model, "canonical_link", held->second);
+    }
     for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
       const model::Link& link = root_.links[i];
       if (!edited_.inside(link.model) || !holder_of({i})) continue;
@@ -405,11 +470,10 @@ class Lumper {
   const model::Root& root_;
   Draft draft_;
   const std::vector<std::string>& links_;
-  std::map<std::string, std::string> held_by_;  ///< links, by name, and the one each is part of
-  std::set<std::string> joints_;                ///< that go
+  HeldBy held_by_;
+  std::set<std::string> joints_;  ///< that go
   std::map<PartKey, std::string> renamed_;
   std::string frames_;
-  std::vector<std::string> notes_;
 };
 
 }  // namespace
