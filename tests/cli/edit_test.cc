@@ -297,7 +297,46 @@ TEST(Edit, WhatAVerbNeedsIsAUsageError) {
           "roll pitch yaw");
   refused("prefix '' car.urdf", "PREFIX is empty");
   refused("unprefix '' car.urdf", "PREFIX is empty");
+  refused("set-limit axle car.urdf --effort -5 --velocity 1",
+          "--effort -5: takes a number from 0 on");
+  refused("set-limit axle car.urdf --lower 2 --upper 1", "--lower 2 is above --upper 1");
   EXPECT_EQ(folder.rigor("edit add joint-state-publisher car.urdf").exit, 0);
+}
+
+/// What the invocation alone does not tell to be wrong.
+TEST(Edit, WhatTheModelDoesNotAllowIsRefused) {
+  const Folder folder;
+  folder.put("car.urdf", kCarUrdf);
+  const auto refused = [&](const std::string& words, const std::string& message) {
+    const Ran ran = folder.rigor("edit " + words + " --write");
+    EXPECT_EQ(ran.exit, 1) << words;
+    EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
+    EXPECT_EQ(folder.get("car.urdf"), kCarUrdf) << words;
+  };
+  refused("set-limit axle car.urdf --effort 5", "needs effort and velocity: give --velocity, too");
+  refused("move-frame wheel car.urdf --to com",
+          "link 'wheel' has no <inertial>, which would say where its center of mass is");
+  refused("move-frame base car.urdf --to joint", "link 'base' is on no joint");
+  refused("move-frame no car.urdf --to com", "no link is named 'no'");
+  refused("scale 1e300 car.urdf", "out of the range of numbers");
+}
+
+/// The contract: 1 for a non-empty --diff.
+TEST(Edit, ADiffThatWasAskedForIsAFinding) {
+  const Folder folder;
+  folder.put("car.urdf", kCarUrdf);
+  folder.put("box.sdf",
+             "<sdf version=\"1.9\"><model name=\"m\"><link name=\"l\"/></model></sdf>\n");
+  for (const char* edit : {"rename axle drive_axle car.urdf", "set-pose axle '1 0 0' car.urdf",
+                           "downgrade 1.6 box.sdf", "upgrade 1.10 box.sdf"}) {
+    const Ran shown = folder.rigor(std::string("edit ") + edit);
+    EXPECT_EQ(shown.exit, 0) << edit << shown.err;
+    const Ran checked = folder.rigor(std::string("edit ") + edit + " --diff");
+    EXPECT_EQ(checked.exit, 1) << edit << checked.err;
+    EXPECT_EQ(checked.out, shown.out) << edit;
+  }
+  EXPECT_EQ(folder.rigor("edit set-pose axle '0 0 0' car.urdf --diff").exit, 0);
+  EXPECT_EQ(folder.rigor("edit downgrade 1.9 box.sdf --diff").exit, 0);
 }
 
 TEST(Edit, MjcfIsNotEdited) {

@@ -216,7 +216,7 @@ inline CorpusVerb set_limit_verb() {
                     after, was.name.value,
                     {.lower = was.axes.front().lower.value, .upper = was.axes.front().upper.value});
               },
-          .least = 190};
+          .least = 180};
 }
 
 inline CorpusVerb lump_verb() {

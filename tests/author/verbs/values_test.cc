@@ -69,9 +69,9 @@ TEST(SetLimit, WhereItIsWrittenAndWhereItIsNot) {
   EXPECT_EQ(bench.text(cart, with_limits(cart, "mast", {.lower = -0.5, .effort = 20})),
             with_change(kCart, R"(lower="-1" upper="1" effort="1")",
                         R"(lower="-0.5" upper="1" effort="20")"));
-  EXPECT_EQ(bench.text(cart, with_limits(cart, "axle", {.velocity = 3})),
+  EXPECT_EQ(bench.text(cart, with_limits(cart, "axle", {.effort = 2, .velocity = 3})),
             with_change(kCart, "    <axis xyz=\"0 0 1\"/>\n",
-                        "    <axis xyz=\"0 0 1\"/>\n    <limit velocity=\"3\"/>\n"));
+                        "    <axis xyz=\"0 0 1\"/>\n    <limit effort=\"2\" velocity=\"3\"/>\n"));
   EXPECT_EQ(with_limits(cart, "axle", {.lower = 0}).refused,
             "joint 'axle' is continuous: it has no lower or upper limit");
   const EditedModel& model = bench.open("m.sdf");
@@ -79,6 +79,33 @@ TEST(SetLimit, WhereItIsWrittenAndWhereItIsNot) {
   EXPECT_NE(text.find("      <limit>\n        <lower>-1</lower>\n        <upper>2</upper>\n"),
             std::string::npos)
       << text;
+}
+
+TEST(SetLimit, WhatNoJointCanHaveIsRefused) {
+  VerbBench bench({{"r.urdf", R"(<robot name="r">
+  <link name="a"/><link name="b"/><link name="c"/><link name="d"/>
+  <joint name="axle" type="continuous"><parent link="a"/><child link="b"/></joint>
+  <joint name="free" type="floating"><parent link="a"/><child link="c"/></joint>
+  <joint name="elbow" type="revolute">
+    <parent link="a"/><child link="d"/>
+    <limit effort="1" velocity="1" upper="1"/>
+  </joint>
+</robot>
+)"}});
+  const EditedModel& robot = bench.open("r.urdf");
+  EXPECT_EQ(with_limits(robot, "axle", {.effort = 5}).refused,
+            "the <limit> of joint 'axle' needs effort and velocity: give --velocity, too");
+  EXPECT_EQ(with_limits(robot, "free", {.effort = 5, .velocity = 1}).refused,
+            "joint 'free' is floating, and has no limits");
+  EXPECT_EQ(with_limits(robot, "elbow", {.lower = 2}).refused,
+            "the lower limit 2 of joint 'elbow' would exceed the upper limit 1: give --upper, too");
+  // URDF's lower limit is 0 where it is not written.
+  EXPECT_EQ(
+      with_limits(robot, "elbow", {.upper = -1}).refused,
+      "the lower limit 0 of joint 'elbow' would exceed the upper limit -1: give --lower, too");
+  EXPECT_EQ(with_limits(robot, "elbow", {.effort = -5}).refused,
+            "a limit of effort or velocity is not below 0");
+  EXPECT_EQ(with_limits(robot, "elbow", {.lower = -1}).refused, "");
 }
 
 TEST(MoveFrame, OfARootToItsCenterOfMass) {

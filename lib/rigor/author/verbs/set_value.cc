@@ -49,6 +49,50 @@ std::string element_of(std::string_view name, double value) {
   return fmt::format("<{0}>{1}</{0}>", name, schema::to_shortest(value));
 }
 
+bool has_limits(model::JointType type) {
+  using model::JointType;
+  return type == JointType::kRevolute || type == JointType::kContinuous ||
+         type == JointType::kPrismatic || type == JointType::kUniversal ||
+         type == JointType::kRevolute2 || type == JointType::kScrew || type == JointType::kGearbox;
+}
+
+/// Whether a URDF's `<limit>` would have it.
+bool would_have(const std::optional<double>& asked, const model::Field<double>& written) {
+  return asked.has_value() || written.written;
+}
+
+/// urdfdom rejects a `<limit>` without effort or velocity.
+std::string missing_in_urdf(const model::Axis& axis, const NewLimits& limits) {
+  const bool effort = would_have(limits.effort, axis.effort);
+  const bool velocity = would_have(limits.velocity, axis.velocity);
+  if (effort && velocity) return {};
+  return effort ? "--velocity" : velocity ? "--effort" : "--effort and --velocity";
+}
+
+/// Why the limits cannot be those of the joint; empty when they can.
+std::string fault_of_limits(const EditedModel& edited, const model::Joint& joint,
+                            const NewLimits& limits) {
+  const std::string& name = joint.name.value;
+  if (joint.axes.empty() || !has_limits(joint.type))
+    return fmt::format("joint '{}' is {}, and has no limits", name, to_string(joint.type));
+  if (limits.effort.value_or(0) < 0 || limits.velocity.value_or(0) < 0)
+    return "a limit of effort or velocity is not below 0";
+  const bool moves_bounds = limits.lower || limits.upper;
+  if (joint.type == model::JointType::kContinuous && moves_bounds)
+    return fmt::format("joint '{}' is continuous: it has no lower or upper limit", name);
+  const model::Axis& axis = joint.axes.front();
+  const double lower = limits.lower.value_or(axis.lower.value);
+  const double upper = limits.upper.value_or(axis.upper.value);
+  if (moves_bounds && lower > upper)
+    return fmt::format("the lower limit {} of joint '{}' would exceed the upper limit {}: give {}",
+                       lower, name, upper, limits.lower ? "--upper, too" : "--lower, too");
+  if (!edited.is_urdf()) return {};
+  if (const std::string missing = missing_in_urdf(axis, limits); !missing.empty())
+    return fmt::format("the <limit> of joint '{}' needs effort and velocity: give {}, too", name,
+                       missing);
+  return {};
+}
+
 struct NewLimit {
   std::string_view name;
   const std::optional<double>& value;
@@ -80,10 +124,8 @@ Change with_limits(const EditedModel& edited, std::string_view joint, const NewL
   const model::Joint& written = edited.root()[id];
   if (!edited.root().own(written.site))
     return refusal(fmt::format("'{}' is in a file that is included", joint));
-  if (written.axes.empty() || written.type == model::JointType::kFixed)
-    return refusal(fmt::format("joint '{}' is {}", joint, to_string(written.type)));
-  if (written.type == model::JointType::kContinuous && (limits.lower || limits.upper))
-    return refusal(fmt::format("joint '{}' is continuous: it has no lower or upper limit", joint));
+  if (std::string fault = fault_of_limits(edited, written, limits); !fault.empty())
+    return refusal(std::move(fault));
   const model::Axis& axis = written.axes.front();
   model::Root copy = edited.root();
   Draft draft(edited);

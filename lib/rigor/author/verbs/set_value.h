@@ -25,6 +25,8 @@ struct NewLimits {
   std::optional<double> lower, upper, effort, velocity;
 };
 
+/// Refused: joints that have no limits, a lower limit above the upper one, numbers below zero for effort and velocity, and
+/// of URDF what would be a `<limit>` without effort or velocity, which urdfdom rejects.
 Change with_limits(const EditedModel& edited, std::string_view joint, const NewLimits& limits);
 
 }  // namespace rigor::author

@@ -79,9 +79,24 @@ model::Pose pose_of(const std::string& option, const std::string& text) {
   return X;
 }
 
-/// What an option asks for, or zero.
-double number_of(const std::string& option, const std::string& text) {
-  return text.empty() ? 0 : finite_number(option, text);
+std::optional<double> given_number(const std::string& option, const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(finite_number(option, text));
+}
+
+std::optional<double> number_from_zero(const std::string& option, const std::string& text) {
+  const auto number = given_number(option, text);
+  if (number && *number < 0) throw UsageError(option + ' ' + text + ": takes a number from 0 on");
+  return number;
+}
+
+author::NewLimits limits_of(const EditOptions& options) {
+  const author::NewLimits limits{given_number("--lower", options.lower),
+                                 given_number("--upper", options.upper),
+                                 number_from_zero("--effort", options.effort),
+                                 number_from_zero("--velocity", options.velocity)};
+  if (limits.lower && limits.upper && *limits.lower > *limits.upper)
+    throw UsageError("--lower " + options.lower + " is above --upper " + options.upper);
+  return limits;
 }
 
 /// The options of attach and merge, but for the link.
@@ -101,10 +116,11 @@ author::AttachRequest attach_request(const EditOptions& options) {
       if (given->empty())
         throw UsageError("a revolute joint needs --lower, --upper, --effort and --velocity");
     }
-    asked.lower = number_of("--lower", options.lower);
-    asked.upper = number_of("--upper", options.upper);
-    asked.effort = number_of("--effort", options.effort);
-    asked.velocity = number_of("--velocity", options.velocity);
+    const author::NewLimits limits = limits_of(options);
+    asked.lower = *limits.lower;
+    asked.upper = *limits.upper;
+    asked.effort = *limits.effort;
+    asked.velocity = *limits.velocity;
   }
   return asked;
 }
@@ -248,20 +264,13 @@ Change add(const EditRequest& request, ModelReader&, const EditedModel& edited) 
   return author::added(edited, asked);
 }
 
-std::optional<double> given_number(const std::string& option, const std::string& text) {
-  return text.empty() ? std::nullopt : std::optional(finite_number(option, text));
-}
-
 Change set_pose(const EditRequest& request, ModelReader&, const EditedModel& edited) {
   return author::with_pose(edited, request.words[0],
                            pose_of("edit set-pose: POSE", request.words[1]));
 }
 
 Change set_limit(const EditRequest& request, ModelReader&, const EditedModel& edited) {
-  const EditOptions& options = request.options;
-  const author::NewLimits limits{
-      given_number("--lower", options.lower), given_number("--upper", options.upper),
-      given_number("--effort", options.effort), given_number("--velocity", options.velocity)};
+  const author::NewLimits limits = limits_of(request.options);
   if (!limits.lower && !limits.upper && !limits.effort && !limits.velocity)
     throw UsageError("edit set-limit needs --lower, --upper, --effort or --velocity");
   return author::with_limits(edited, request.words[0], limits);
