@@ -118,6 +118,48 @@ TEST(Attach, AUrdfWithTakenNames) {
             "");
 }
 
+std::string with_hardware(const std::string& robot, const std::string& joint) {
+  return "<robot name=\"" + robot + "\">\n  <link name=\"" + robot + "_a\"/><link name=\"" + robot +
+         "_b\"/>\n  <joint name=\"" + joint + "\" type=\"continuous\"><parent link=\"" + robot +
+         "_a\"/><child link=\"" + robot +
+         "_b\"/></joint>\n"
+         "  <ros2_control name=\"sys\" type=\"system\"><joint name=\"" +
+         joint +
+         "\"/><sensor name=\"ft\"/></ros2_control>\n"
+         "  <transmission name=\"" +
+         robot + "_t\"><joint name=\"" + joint +
+         "\"/><actuator name=\"motor\"/></transmission>\n</robot>\n";
+}
+
+/// controller_manager rejects two pieces of hardware of one name.
+TEST(Attach, HardwareOfTheCopyHasNamesOfItsOwn) {
+  VerbBench bench({{"arm.urdf", with_hardware("arm", "elbow")},
+                   {"hand.urdf", with_hardware("hand", "knuckle")}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  const EditedModel& hand = bench.open("hand.urdf");
+  AttachRequest request;
+  request.link = "arm_b";
+  const auto expect = [&](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  };
+  // Without a prefix, only what is taken.
+  const std::string taken = bench.text(arm, attached(bench.reader(), arm, hand, request));
+  expect(taken,
+         "<ros2_control name=\"hand_sys\" type=\"system\"><joint name=\"knuckle\"/>"
+         "<sensor name=\"hand_ft\"/></ros2_control>");
+  expect(taken,
+         "<transmission name=\"hand_t\"><joint name=\"knuckle\"/>"
+         "<actuator name=\"hand_motor\"/></transmission>");
+  request.prefix = "left_";
+  const std::string all = bench.text(arm, attached(bench.reader(), arm, hand, request));
+  expect(all,
+         "<ros2_control name=\"left_sys\" type=\"system\"><joint name=\"left_knuckle\"/>"
+         "<sensor name=\"left_ft\"/></ros2_control>");
+  expect(all,
+         "<transmission name=\"left_hand_t\"><joint name=\"left_knuckle\"/>"
+         "<actuator name=\"left_motor\"/></transmission>");
+}
+
 TEST(Attach, MaterialsOfOneNameThatLookDifferent) {
   std::string green = kJaws;
   green.replace(green.find("0.5 0.5 0.5 1"), 13, "0 1 0 1");

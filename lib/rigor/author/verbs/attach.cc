@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <rigor/author/verbs/block.h>
+#include <rigor/author/verbs/hardware_names.h>
 #include <rigor/author/verbs/moved_paths.h>
 #include <rigor/author/verbs/prefix.h>
 #include <rigor/author/verbs/robot_laws.h>
@@ -177,6 +178,7 @@ class Attacher {
     for (int i = 2; taken.contains(joint_); ++i)
       joint_ = fmt::format("{}_to_{}_{}", link_, gripper_->robot.name, i);
     if (prefix.empty()) return {};
+    prefix_ = prefix;
     ProvenChange renamed = prove(reader_, *gripper_, prefixed(*gripper_, prefix, {}));
     if (!renamed.refused.empty() || !renamed.after) return renamed.refused;
     own_ = std::move(renamed.after);
@@ -305,6 +307,7 @@ class Attacher {
   std::optional<Edit> urdf_block() {
     std::vector<Edit> edits = paths_from_arm();
     merge_materials(edits);
+    append(edits, renamed_hardware(arm_, *gripper_, {prefix_, gripper_->robot.name + '_'}, notes_));
     const xml::Element root = gripper_->element(gripper_->root()[gripper_->model].site);
     const auto end = end_of_content(gripper_->document(), root);
     const std::uint32_t begin = root.tag_span().end;
@@ -469,12 +472,13 @@ class Attacher {
   const EditedModel* gripper_;
   std::unique_ptr<EditedModel> own_;  ///< the gripper with a prefix
   const AttachRequest& request_;
-  std::string link_;   ///< of the arm
-  std::string base_;   ///< a frame or link of the arm
-  Pose X_BG_;          ///< of the gripper in that
-  Pose X_LG_;          ///< in the link
-  std::string joint_;  ///< the new joint's name
-  std::string name_;   ///< of the nested model, in SDF
+  std::string link_;    ///< of the arm
+  std::string base_;    ///< a frame or link of the arm
+  Pose X_BG_;           ///< of the gripper in that
+  Pose X_LG_;           ///< in the link
+  std::string prefix_;  ///< of the names of the gripper's copy
+  std::string joint_;   ///< the new joint's name
+  std::string name_;    ///< of the nested model, in SDF
   std::vector<std::string> notes_;
 };
 

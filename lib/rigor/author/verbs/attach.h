@@ -10,8 +10,8 @@
 //
 // In URDF the gripper's elements are copied behind the arm's, in SDF its model is nested in the arm's, each with its
 // comments and layout. G is the gripper's model frame, which in URDF is its root link's. Where a name of the gripper is
-// taken in the arm, all names of the gripper get a prefix; materials of one name that look alike become one. Paths of
-// meshes that are relative lead on to the same files.
+// taken in the arm, all names of the gripper get a prefix, those of its hardware too; materials of one name that look alike
+// become one. Paths of meshes that are relative lead on to the same files.
 //
 // With AttachBy::kInclude an SDF model is included, and stays in its own file. A template as the arm always includes the
 // gripper's; where that one only defines a macro, attach_macro.h calls it.
