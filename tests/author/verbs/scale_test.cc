@@ -152,6 +152,16 @@ TEST(Scale, FactorsThatAreNone) {
       {{"m.sdf", R"(<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>)"}});
   EXPECT_NE(scaled(bench.open("m.sdf"), 0).refused, "");
   EXPECT_NE(scaled(bench.open("m.sdf"), -1).refused, "");
+  for (const double factor : {1e300, 1e-300, 1e62})
+    EXPECT_NE(scaled(bench.open("m.sdf"), factor, {}).refused, "") << factor;
+}
+
+TEST(Scale, ANumberThatWouldOverflow) {
+  VerbBench bench({{"m.urdf", R"(<robot name="m"><link name="a"><inertial><mass value="1e200"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>)"}});
+  EXPECT_EQ(scaled(bench.open("m.urdf"), 1e40).refused,
+            "1e+200 scaled by 1e+40 is out of the range of numbers");
+  EXPECT_EQ(scaled(bench.open("m.urdf"), 10).refused, "");
 }
 
 }  // namespace

@@ -36,6 +36,9 @@ struct AxisPowers {
 constexpr AxisPowers kTurningPowers{0, 4, -0.5, 4.5, 4};
 constexpr AxisPowers kSlidingPowers{1, 3, 0.5, 2.5, 2};
 
+/// The largest, of moments of inertia.
+constexpr double kMaxPower = 5;
+
 constexpr double kContactStiffnessPower = 2;
 constexpr double kContactDampingPower = 2.5;
 
@@ -122,7 +125,8 @@ class Scaler {
   Change scale() {
     for (const Placed& each : placed_in(edited_)) {
       model::Pose X = each.field.pose.value;
-      X.translation = f_ * X.translation;
+      X.translation = {grown(X.translation.x, 1), grown(X.translation.y, 1),
+                       grown(X.translation.z, 1)};
       draft_.set_pose(each.field, each.holder, X);
     }
     for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
@@ -144,7 +148,7 @@ class Scaler {
     list_lengths();
     for (const std::string& path : files_.all()) list_lengths(path);
     Change change;
-    change.refused = draft_.problem();
+    change.refused = fault_.empty() ? draft_.problem() : fault_;
     change.steps = draft_.take();
     change.notes = std::move(notes_);
     change.expected = ScaledRobot(edited_.robot, f_, unknown_masses()).scale();
@@ -169,8 +173,11 @@ class Scaler {
     return unknown;
   }
 
-  double grown(double value, double power) const {
+  double grown(double value, double power) {
     const double result = value * std::pow(f_, power);
+    const bool is_lost = !std::isfinite(result) || (result == 0) != (value == 0);
+    if (std::isfinite(value) && is_lost)
+      fault_ = fmt::format("{} scaled by {:g} is out of the range of numbers", value, f_);
     return write::settled(result, value, std::abs(result));
   }
 
@@ -221,9 +228,7 @@ class Scaler {
     return last_child_of(edited_.element(site));
   }
 
-  std::string text(double value, double power) const {
-    return schema::to_shortest(grown(value, power));
-  }
+  std::string text(double value, double power) { return schema::to_shortest(grown(value, power)); }
 
   /// Of SDF: what is not written has a size all the same.
   void add_defaults(const model::Geometry& geometry,
@@ -361,6 +366,7 @@ class Scaler {
   const ReferringFiles& files_;
   Draft draft_;
   double f_;
+  std::string fault_;
   std::vector<std::string> notes_;
 };
 
@@ -368,6 +374,10 @@ class Scaler {
 
 Change scaled(const EditedModel& edited, double factor, const ReferringFiles& files) {
   if (!(factor > 0) || !std::isfinite(factor)) return refusal("a factor is positive");
+  if (!std::isnormal(std::pow(factor, kMaxPower))) {
+    return refusal(fmt::format(
+        "with a factor of {:g} moments of inertia are out of the range of numbers", factor));
+  }
   if (const auto included = included_part(edited))
     return refusal("a part of it is in " + *included + ": scale that first");
   return Scaler(edited, factor, files).scale();
