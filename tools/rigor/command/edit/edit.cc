@@ -80,7 +80,8 @@ class EditCommand final : public Command {
            "repository or package, which are found")
         ->type_name("WORD");
     auto* write = app->add_flag("--write", write_, "Change the files");
-    auto* diff = app->add_flag("--diff", diff_, "Show what would change: the default");
+    auto* diff = app->add_flag(
+        "--diff", diff_, "Show what would change, as without it, and exit 1 where something would");
     app->add_option("-o,--out", out_, "Where the changed model goes, of a change of its file alone")
         ->type_name("FILE")
         ->excludes(write)
@@ -237,8 +238,11 @@ class EditCommand final : public Command {
         report::counted(proven.files.size(), "file") +
         (write_ || !out_.empty() ? " changed: " : " would be changed: ") +
         report::counted(proven.asked.size(), "difference") + ", all as asked");
-    return kClean;
+    return result_of_change();
   }
+
+  /// Of a change that was made, or that --diff has shown.
+  int result_of_change() const { return diff_ ? kFindings : kClean; }
 
   /// What is no edit of a file.
   int put_product(const std::string& text) const {
@@ -278,6 +282,7 @@ class EditCommand final : public Command {
     request.out = out_;
     request.target = !out_.empty() ? EditTarget::kOut
                      : write_      ? EditTarget::kFiles
+                     : diff_       ? EditTarget::kCheckedDiff
                                    : EditTarget::kDiff;
     search_.config().open();
     request.files = models_of(request.named);
@@ -388,11 +393,8 @@ class EditCommand final : public Command {
                    const author::ProvenChange& proven, std::vector<robot::Difference> differences,
                    const Sources& sources) {
     place_in_source(differences, *edited.loaded.file, *proven.after->loaded.file, sources);
-    std::string text = report::robot_diff_text({{edited.path(), robot},
-                                                {edited.path(), proven.after->robot},
-                                                differences,
-                                                sources,
-                                                {}});
+    std::string text = report::robot_diff_text(
+        {{edited.path(), robot}, {edited.path(), proven.after->robot}, differences, sources, {}});
     while (text.ends_with('\n')) text.pop_back();
     if (!text.empty()) say(text);
   }
@@ -456,7 +458,7 @@ class EditCommand final : public Command {
     say("rigor: " + report::counted(renaming.edits.size(), "place") + " in " +
         report::counted(changed.size(), "file") +
         (write_ || !out_.empty() ? " renamed" : " would be renamed"));
-    return kClean;
+    return changed.empty() ? kClean : result_of_change();
   }
 
   std::vector<std::string_view> names_;

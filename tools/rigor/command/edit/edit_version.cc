@@ -43,7 +43,7 @@ void tell_notes(const read::File& file, const author::Upgrade& result) {
   }
 }
 
-/// Whether it was done.
+/// Whether it was done, and no diff is a finding.
 bool change_version(const Environment& environment, const VersionRequest& request,
                     const std::string& path, schema::Version to) {
   Sources sources;
@@ -59,7 +59,8 @@ bool change_version(const Environment& environment, const VersionRequest& reques
     say("rigor: " + report::printable(path) + " is not changed");
     return false;
   }
-  const bool writes = request.target != EditTarget::kDiff;
+  const bool is_checked = request.target == EditTarget::kCheckedDiff;
+  const bool writes = request.target != EditTarget::kDiff && !is_checked;
   if (request.target == EditTarget::kOut) {
     write_moved(request.out, path, result.text);
   } else if (!result.edits.empty() && writes) {
@@ -77,7 +78,7 @@ bool change_version(const Environment& environment, const VersionRequest& reques
   say(fmt::format("rigor: {} {} SDF {}, from {}: {}, the same model",
                   report::printable(result_path), writes ? "is" : "would be", to_string(to),
                   to_string(result.from), report::counted(result.edits.size(), "change")));
-  return true;
+  return !is_checked || (result.edits.empty() && !result.config);
 }
 
 }  // namespace

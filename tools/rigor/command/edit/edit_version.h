@@ -15,8 +15,8 @@ namespace rigor::tool {
 
 enum class VersionVerb : std::uint8_t { kUpgrade, kDowngrade };
 
-/// Where the results go: to `out`, into the files, or to stdout as a diff.
-enum class EditTarget : std::uint8_t { kDiff, kFiles, kOut };
+/// Where the results go: to `out`, into the files, or to stdout as a diff, which as kCheckedDiff is a finding.
+enum class EditTarget : std::uint8_t { kDiff, kCheckedDiff, kFiles, kOut };
 
 struct VersionRequest {
   VersionVerb verb{};
