@@ -92,6 +92,34 @@ TEST(Lump, InSdfAFrameStaysWhereTheLinkWas) {
   EXPECT_NE(text.find("<parent>b</parent><child>c</child>"), std::string::npos) << text;
 }
 
+/// Sums in double precision: 0.1 + 0.2 is 0.30000000000000004.
+TEST(Lump, NumbersAreWrittenAsAPersonWould) {
+  VerbBench bench({{"r.urdf", R"(<robot name="r">
+  <link name="a">
+    <inertial>
+      <origin xyz="0 0 0.06"/>
+      <mass value="0.1"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+    </inertial>
+  </link>
+  <joint name="j" type="fixed"><origin xyz="0 0 0.03"/><parent link="a"/><child link="b"/></joint>
+  <link name="b">
+    <inertial>
+      <origin xyz="0 0 0.03"/>
+      <mass value="0.2"/>
+      <inertia ixx="0.2" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.2"/>
+    </inertial>
+  </link>
+</robot>
+)"}});
+  const EditedModel& robot = bench.open("r.urdf");
+  const std::string text = bench.text(robot, lumped(robot, {}));
+  EXPECT_NE(text.find("<origin xyz=\"0 0 0.06\"/>\n      <mass value=\"0.3\"/>\n      <inertia "
+                      "ixx=\"0.3\" ixy=\"0\" ixz=\"0\" iyy=\"0.3\" iyz=\"0\" izz=\"0.3\"/>"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Lump, WhatItRefuses) {
   VerbBench bench(
       {{"m.sdf", R"(<sdf version="1.6"><model name="m"><link name="a"/></model></sdf>)"},

@@ -182,7 +182,11 @@ void Draft::set_attribute(Element element, std::string_view name, std::string_vi
 }
 
 void Draft::set_axis(const model::Joint& joint, const model::Axis& axis, const Vector3& xyz) {
-  const Vector3 positive{xyz.x + 0.0, xyz.y + 0.0, xyz.z + 0.0};  // no -0
+  const Vector3& old = axis.xyz.value;
+  const double size = length(xyz);
+  const Vector3 positive{write::settled(xyz.x, old.x, size) + 0.0,  // no -0
+                         write::settled(xyz.y, old.y, size) + 0.0,
+                         write::settled(xyz.z, old.z, size) + 0.0};
   if (axis.xyz.written) return set(axis.xyz, positive);
   if (positive == axis.xyz.value) return;
   const std::string numbers = write::joined({positive.x, positive.y, positive.z});

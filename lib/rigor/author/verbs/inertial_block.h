@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An `<inertial>` with all digits, since a proof compares it with a sum.
+// An `<inertial>` with the digits of write::kComputedDigits, since a proof compares it with a sum.
 //
 // Private to the room.
 
