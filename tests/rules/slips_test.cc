@@ -112,7 +112,10 @@ std::string rover(const std::string& separation, const std::string& radius,
 
 TEST(Slips, DrivesAreComparedWithTheirWheels) {
   EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.5", "0.1")), SlipSeverities{});
-  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.55", "0.1")), SlipSeverities{});
+  // Half of the tread's 0.05 m is 5 %: the point of contact is within it.
+  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.52", "0.1")), SlipSeverities{});
+  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.48", "0.1")), SlipSeverities{});
+  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.53", "0.1")), kSlipWarning);
   EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.25", "0.1")), kSlipWarning);
   EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("1", "0.1")), kSlipWarning);
   EXPECT_EQ(found("wheel-radius-mismatch", "a.sdf", rover("0.5", "0.095")), SlipSeverities{});

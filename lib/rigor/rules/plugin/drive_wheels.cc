@@ -63,6 +63,18 @@ std::optional<double> radius_about(const Vector3& axis_S, const model::Shape& sh
   return std::nullopt;
 }
 
+/// How far it reaches along the axis, m; 0 of a ball, which stands on a point.
+double width_about(const Vector3& axis_S, const model::Shape& shape, Context& context) {
+  if (const auto* cylinder = std::get_if<model::Cylinder>(&shape)) return cylinder->length.value;
+  const auto* mesh = std::get_if<model::Mesh>(&shape);
+  const mass::MeshSurvey* survey = mesh != nullptr ? context.survey(*mesh) : nullptr;
+  if (survey == nullptr) return 0;
+  const Vector3 size = survey->bounds.max - survey->bounds.min;
+  const Vector3& scale = mesh->scale.value;
+  return std::abs(axis_S.x * size.x * scale.x) + std::abs(axis_S.y * size.y * scale.y) +
+         std::abs(axis_S.z * size.z * scale.z);
+}
+
 template <class Part>
 void add_radii(const std::vector<model::Id<Part>>& parts, DrivenWheel& wheel, Context& context) {
   std::vector<double> across;  // of cylinders that the joint does not turn about their axes
@@ -71,7 +83,11 @@ void add_radii(const std::vector<model::Id<Part>>& parts, DrivenWheel& wheel, Co
     if (!X_WS) continue;
     const Vector3 axis_S = rotate(inverse(*X_WS).rotation, wheel.axis);
     const auto radius = radius_about(axis_S, context.root()[id].geometry.shape, context);
-    if (radius && *radius > 0) wheel.radii.push_back(*radius);
+    if (radius && *radius > 0) {
+      wheel.radii.push_back(*radius);
+      const double width = width_about(axis_S, context.root()[id].geometry.shape, context);
+      wheel.width = std::max(width, wheel.width.value_or(0));
+    }
     const auto* cylinder = std::get_if<model::Cylinder>(&context.root()[id].geometry.shape);
     if (!radius && cylinder != nullptr && cylinder->radius.value > 0)
       across.push_back(cylinder->radius.value);
@@ -82,16 +98,23 @@ void add_radii(const std::vector<model::Id<Part>>& parts, DrivenWheel& wheel, Co
   wheel.radii = std::move(across);
 }
 
-std::optional<DrivenWheel> wheel_of(const model::Parameter& named, model::Id<model::Model> scope,
-                                    Context& context) {
+std::optional<DrivenWheel> wheel_named(const model::Parameter& named, model::Id<model::Model> scope,
+                                       Context& context) {
+  auto wheel = wheel_of(joint_named(context.frames(), scope, named.value.value), context);
+  if (wheel) wheel->named = &named;
+  return wheel;
+}
+
+}  // namespace
+
+std::optional<DrivenWheel> wheel_of(model::Id<model::Joint> joint, Context& context) {
   const model::Frames& frames = context.frames();
-  const auto id = joint_named(frames, scope, named.value.value);
-  if (!id || degrees_of_freedom(context.root()[id].type) != 1) return std::nullopt;
-  const auto axis = frames.axis(id, 0);
-  const auto X_WJ = frames.pose(id);
-  const auto child = frames.ends(id).child;
+  if (!joint || degrees_of_freedom(context.root()[joint].type) != 1) return std::nullopt;
+  const auto axis = frames.axis(joint, 0);
+  const auto X_WJ = frames.pose(joint);
+  const auto child = frames.ends(joint).child;
   if (!axis || !X_WJ || !child) return std::nullopt;
-  DrivenWheel wheel{id, &named, X_WJ->translation, X_WJ->translation, *axis, {}};
+  DrivenWheel wheel{joint, nullptr, X_WJ->translation, X_WJ->translation, *axis, {}};
   const model::Link& link = context.root()[child];
   add_radii(link.collisions, wheel, context);
   add_radii(link.visuals, wheel, context);
@@ -106,8 +129,6 @@ std::optional<DrivenWheel> wheel_of(const model::Parameter& named, model::Id<mod
   if (count > 0) wheel.center = (1 / count) * sum;
   return wheel;
 }
-
-}  // namespace
 
 std::optional<double> positive_number(const model::Parameter& parameter) {
   const auto number = write::number_in(parameter.value.value);
@@ -147,7 +168,7 @@ std::optional<Drive> drive_of(const model::Plugin& plugin, Context& context) {
     if (name == "wheeldiameter") drive.diameters.push_back(&given);
     const bool left = mentions(name, "left"), right = mentions(name, "right");
     if (left == right) continue;
-    if (const auto wheel = wheel_of(given, plugin.model, context)) {
+    if (const auto wheel = wheel_named(given, plugin.model, context)) {
       auto& side = steering ? (left ? drive.left_steering : drive.right_steering)
                             : (left ? drive.left : drive.right);
       side.push_back(*wheel);

@@ -20,11 +20,13 @@ namespace rigor::rules {
 
 struct DrivenWheel {
   model::Id<model::Joint> joint;
-  const model::Parameter* named;  ///< the parameter that names the joint
+  const model::Parameter* named;  ///< the parameter that names the joint; null without a plugin
   model::Vector3 position;        ///< of the joint, m, in the frame of `Frames`
   model::Vector3 center;          ///< of the link's shapes; the joint's where it has none
   model::Vector3 axis;            ///< unit vector, in that frame
   std::vector<double> radii;  ///< m, of the link's shapes, as far as they are round about the axis
+  /// m, of the widest tread; 0 of a ball; nothing where no shape is round
+  std::optional<double> width = std::nullopt;
   bool across = false;  ///< they are round about another one, which wheel-axis-mismatch reports
 };
 
@@ -43,6 +45,9 @@ struct Drive {
 /// Nothing unless at least one joint of each side is one of the model that turns about an axis; steering
 /// joints do not count.
 std::optional<Drive> drive_of(const model::Plugin& plugin, Context& context);
+
+/// The wheel that a joint turns; nothing where it does not turn about one axis or has no place.
+std::optional<DrivenWheel> wheel_of(model::Id<model::Joint> joint, Context& context);
 
 /// The text of a parameter without the blanks around it.
 Span trimmed(const model::Parameter& parameter, const Context& context);

@@ -15,8 +15,11 @@ namespace rigor::rules::wheel_separation_mismatch {
 
 using model::Vector3;
 
-// Wheels have a width, and the point of contact is somewhere in it.
+// Wheels have a width, and the point of contact is somewhere in it. Where it is not known, and at most:
 constexpr double kMaxOff = 0.12;
+
+// Authors round, and balls have no width.
+constexpr double kRounded = 0.03;
 
 // A skid-steered robot turns as if its wheels were farther apart, and authors write that.
 constexpr double kMaxSkid = 1.9;
@@ -44,6 +47,18 @@ bool in_line(const std::vector<DrivenWheel>& wheels, double separation) {
   });
 }
 
+/// By how much of the distance of the wheels the separation may be off.
+double tolerance(const Drive& drive, double actual) {
+  double width = 0;  // m
+  for (const auto* side : {&drive.left, &drive.right}) {
+    for (const DrivenWheel& wheel : *side) {
+      if (!wheel.width) return kMaxOff;
+      width = std::max(width, *wheel.width);
+    }
+  }
+  return std::clamp(width / 2 / actual, kRounded, kMaxOff);
+}
+
 void check_against(const model::Parameter& parameter, const Drive& drive,
                    const model::Plugin& plugin, Context& context) {
   const auto written = positive_number(parameter);
@@ -51,9 +66,10 @@ void check_against(const model::Parameter& parameter, const Drive& drive,
   const double of_wheels = distance(drive, &DrivenWheel::center);
   const double of_joints = distance(drive, &DrivenWheel::position);
   if (!(of_wheels > 0) || !(of_joints > 0)) return;
-  const double most = drive.left.size() > 1 ? kMaxSkid : 1 + kMaxOff;
+  const bool skids = drive.left.size() > 1;
   for (const double actual : {of_wheels, of_joints}) {
-    if (*written > actual * (1 - kMaxOff) && *written < actual * most) return;
+    const double off = skids ? kMaxOff : tolerance(drive, actual);
+    if (*written > actual * (1 - off) && *written < actual * (skids ? kMaxSkid : 1 + off)) return;
   }
   const Span where = trimmed(parameter, context);
   const std::string right = value_with_digits(*written, of_wheels);
@@ -85,9 +101,11 @@ Rule rule() {
       .why = "The robot turns by another angle than commanded, and reports the commanded "
              "angle: odometry and map drift apart with each turn. The plugin computes the speeds "
              "of its wheels from the separation, not from the geometry.",
-      .what_to_do = "Write the distance of the wheels' centers along the axle, in meters. Of a "
-                    "robot with several wheels on a side up to 1.9 times that is taken for the "
-                    "effective separation of a skid-steered one.",
+      .what_to_do =
+          "Write the distance of the wheels' centers along the axle, in meters; half of a "
+          "tread's width more or less is taken as meant. Of a "
+          "robot with several wheels on a side up to 1.9 times that is taken for the "
+          "effective separation of a skid-steered one.",
       .checks = {on<model::Plugin>(check)},
   };
 }
