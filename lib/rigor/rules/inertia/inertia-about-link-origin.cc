@@ -1,16 +1,14 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/inertia/tensor_mistake.h>
+#include <rigor/rules/inertia/write_tensor.h>
 #include <rigor/rules/rule.h>
-#include <rigor/write/numbers.h>
 
 namespace rigor::rules::inertia_about_link_origin {
 
@@ -42,22 +40,6 @@ std::optional<mass::Inertia> about_center(const model::Inertial& inertial) {
   return about_com;
 }
 
-Fix write_tensor(const model::Inertial& inertial, const mass::Inertia& tensor) {
-  Fix fix{"write the tensor about the center of mass", Applicability::kUnsafe, {}};
-  const auto add = [&fix](const model::Field<double>& field, double value) {
-    if (!field.written || field.value == value) return;
-    const double size = std::max(std::abs(field.value), std::abs(value));
-    fix.edits.push_back({field.span, write::joined({write::settled(value, field.value, size)})});
-  };
-  add(inertial.ixx, tensor.ixx);
-  add(inertial.ixy, tensor.ixy);
-  add(inertial.ixz, tensor.ixz);
-  add(inertial.iyy, tensor.iyy);
-  add(inertial.iyz, tensor.iyz);
-  add(inertial.izz, tensor.izz);
-  return fix;
-}
-
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   const model::Pose& X_LC = inertial.pose.pose.value;
@@ -66,10 +48,6 @@ void check(const model::Link& link, Context& context) {
   const bool by_shapes = mistaken.mistake == TensorMistake::kAboutLinkOrigin;
   const double distance = model::length(X_LC.translation);
   if (by_shapes) {
-    const mass::Inertia about_com =
-        mass::tensor(inertial) -
-        mass::rotated(model::conjugate(X_LC.rotation),
-                      mass::point_inertia(inertial.mass.value, X_LC.translation));
     context.report(
         {.where = inertial.tensor_site.name,
          .message = fmt::format(
@@ -77,7 +55,7 @@ void check(const model::Link& link, Context& context) {
              "from the center of mass: {} kg at that distance are counted twice",
              distance, inertial.mass.value),
          .subject = context.subject(link),
-         .fix = write_tensor(inertial, about_com)});
+         .fix = write_tensor(inertial, without_mass_at_center(inertial))});
     return;
   }
   if (mistaken.mistake != TensorMistake::kNone || !has_tensor(link, context)) return;

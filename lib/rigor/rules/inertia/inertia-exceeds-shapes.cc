@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -17,6 +18,7 @@
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/inertia/tensor_mistake.h>
+#include <rigor/rules/inertia/write_tensor.h>
 #include <rigor/rules/inertia/written_digits.h>
 #include <rigor/rules/rule.h>
 
@@ -38,9 +40,10 @@ struct Spread {
 using Spreads = std::array<Spread, 3>;
 
 /// Half the sum of the moments is Σ m r²; what an axis does not share of it, it has along itself.
-Spreads spreads(const model::Inertial& inertial, const Context& context) {
+Spreads spreads(const model::Inertial& inertial, const mass::Inertia& tensor,
+                const Context& context) {
   const double mass = inertial.mass.value;
-  const mass::PrincipalAxes principal = mass::principal_axes(mass::tensor(inertial));
+  const mass::PrincipalAxes principal = mass::principal_axes(tensor);
   double rounding = 0;
   for (const auto* entry : {&inertial.ixx, &inertial.iyy, &inertial.izz}) {
     rounding += half_of_last_digit(context.bytes(entry->span)) / 2;
@@ -66,11 +69,17 @@ double leniency(const model::Link& link, const Context& context) {
 /// A body between two planes has its mass farthest from the center when half of it is on each, m.
 double allowed(double width) { return kDrawnSmaller * width / 2 + kThin; }
 
+// A rod in place of a leg is thinner than the leg: for collisions only its length matters.
+constexpr double kRod = 0.2;  // of its length
+constexpr double kThicker = 1.5;
+
 const Spread* impossible(const Spreads& spreads, const Outline& outline, double leniency) {
   const Spread* worst = nullptr;
-  double most = leniency;
+  double most = leniency, longest = 0;
+  for (const Spread& spread : spreads) longest = std::max(longest, outline.extent(spread.axis_L));
   for (const Spread& spread : spreads) {
-    const double limit = allowed(outline.extent(spread.axis_L));
+    const double extent = outline.extent(spread.axis_L);
+    const double limit = allowed(extent) * (extent < kRod * longest ? kThicker : 1);
     if (spread.least <= most * limit) continue;
     most = spread.least / limit;
     worst = &spread;
@@ -109,6 +118,29 @@ bool reported_elsewhere(const model::Link& link, const Box& box, Context& contex
   return mistaken_tensor(link, context).mistake != TensorMistake::kNone;
 }
 
+/// Whether the written center of mass lies outside of the shapes: then they are not the body, as the thin
+/// box along a leg that has a motor beside it. A center at the link's origin is often no more than a default.
+bool is_centered_outside(const model::Inertial& inertial, const Outline& outline) {
+  const model::Vector3& center = inertial.pose.pose.value.translation;
+  if (!inertial.pose.pose.written || length(center) < kThin) return false;
+  const std::array<model::Vector3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  return std::any_of(axes.begin(), axes.end(), [&](const model::Vector3& axis) {
+    const double at = model::dot(axis, center);
+    return at > outline.reach(axis) + kThin || -at > outline.reach(-1 * axis) + kThin;
+  });
+}
+
+/// The tensor about the center of mass, where the written one is about the link's origin and then fits.
+std::optional<mass::Inertia> moved_to_center(const model::Inertial& inertial,
+                                             const Outline& outline, double leniency,
+                                             const Context& context) {
+  if (length(inertial.pose.pose.value.translation) < kThin) return std::nullopt;
+  const mass::Inertia about_com = without_mass_at_center(inertial);
+  if (!mass::judge(inertial.mass.value, about_com).possible()) return std::nullopt;
+  if (impossible(spreads(inertial, about_com, context), outline, leniency)) return std::nullopt;
+  return about_com;
+}
+
 /// Of moments that are `share` times those of the box as a solid.
 std::optional<Fix> fix_of_share(const model::Link& link, double share, double density,
                                 Context& context) {
@@ -127,7 +159,7 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   std::optional<Spreads> all;
   const auto breaks = [&](const Outline& outline) {
     if (gyration <= most * allowed(outline.least_width())) return false;
-    if (!all) all = spreads(inertial, context);
+    if (!all) all = spreads(inertial, mass::tensor(inertial), context);
     return impossible(*all, outline, most) != nullptr;
   };
   const auto outline = outline_that_breaks(link, groups, context, breaks);
@@ -137,15 +169,26 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const Spread& worst = *impossible(*all, *outline, most);
   const double extent = outline->extent(worst.axis_L);
   const double share = mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace);
-  context.report(
-      {.where = inertial.tensor_site.name,
-       .message = fmt::format(
-           "by its moments of inertia the mass lies {1:.3g} m from its center along {0} (root mean "
-           "square), but the link's shapes are only {2:.3g} m long there, which allows {3:.3g} m",
-           axis_name(worst.axis_L), worst.spread, extent, extent / 2),
-       .subject = context.subject(link),
-       .help = guess_slip(share),
-       .fix = fix_of_share(link, share, inertial.mass.value / box.volume, context)});
+  Finding finding{
+      .where = inertial.tensor_site.name,
+      .message = fmt::format(
+          "by its moments of inertia the mass lies {1:.3g} m from its center along {0} (root mean "
+          "square), but the link's shapes are only {2:.3g} m long there, which allows {3:.3g} m",
+          axis_name(worst.axis_L), worst.spread, extent, extent / 2),
+      .subject = context.subject(link)};
+  const double density = inertial.mass.value / box.volume;
+  if (is_centered_outside(inertial, *outline) && !slip_of_share(share, density)) return;
+  if (const auto about_com = moved_to_center(inertial, *outline, most, context)) {
+    finding.help = fmt::format(
+        "the tensor looks as if it were about the link's origin: without the {} kg at the center "
+        "of mass, {:.3g} m away, it fits",
+        inertial.mass.value, length(inertial.pose.pose.value.translation));
+    finding.fix = write_tensor(inertial, *about_com);
+  } else {
+    finding.help = guess_slip(share);
+    finding.fix = fix_of_share(link, share, density, context);
+  }
+  context.report(std::move(finding));
 }
 
 Rule rule() {
@@ -156,7 +199,10 @@ Rule rule() {
       .summary = "moments of inertia are larger than any body inside the link's shapes can have",
       .why = "Wherever the mass is inside the shapes, even half of it at each end, it has smaller "
              "moments than these: so they are another body's, in another unit, or made up. The "
-             "link rotates more sluggishly than the real one, and controllers are tuned to that.",
+             "link rotates more sluggishly than the real one, and controllers are tuned to that. "
+             "Where "
+             "the center of mass lies outside of the shapes these are not the body, and only a "
+             "slip of units is reported.",
       .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, and "
                     "writes it with --write.",
       .checks = {on<model::Root>(check_own_links<check_link>)},

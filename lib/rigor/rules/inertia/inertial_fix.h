@@ -3,7 +3,8 @@
 //
 // The fix that all rules about inertials share: what the link's shapes have as solids, written in
 // place of what is there. `rigor inertia` writes the same numbers, but a center of mass that is
-// written stays where a body in the shapes can have it: no rule that has this fix doubts it.
+// written stays: no rule that has this fix doubts it. Where no body in the shapes can have it there
+// is no fix, but for a center at the link's origin, which is often no more than a default.
 
 #pragma once
 
@@ -128,6 +129,8 @@ inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& cont
       const bool known =
           from == mass::From::kCollisions ? shapes.add_collisions(link) : shapes.add_visuals(link);
       const bool stays = known && fits_about(center, body, shapes);
+      // Who wrote a center of mass knew it, and these are no part of what is wrong.
+      if (!stays && length(center) > kSameCenter) continue;
       if (stays) body.com = center;
       title += stays ? ", about the written center of mass" : ", about their own center of mass";
     }
