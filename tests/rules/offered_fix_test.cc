@@ -62,6 +62,22 @@ TEST(OfferedFix, KeepsAWrittenCenterOfMass) {
   EXPECT_EQ(title("0").find("center of mass"), std::string::npos);
 }
 
+TEST(OfferedFix, LeavesBallsThatSeveralLinksHave) {
+  const auto ball = [](const std::string& link) {
+    const auto shape = [](const std::string& kind, const std::string& radius) {
+      return "<" + kind + " name='" + kind + "'><geometry><sphere><radius>" + radius +
+             "</radius></sphere></geometry></" + kind + ">";
+    };
+    return "<link name='" + link + "'>" + shape("collision", "0.02") + shape("visual", "0.01") +
+           "</link>";
+  };
+  const auto title = [](const std::string& links) {
+    return offered("<sdf version='1.9'><model name='m'>" + links + "</model></sdf>");
+  };
+  EXPECT_EQ(title(ball("a"))["shape-size-slip"], "make them the same");
+  EXPECT_EQ(title(ball("a") + ball("b")).at("shape-size-slip"), "");
+}
+
 TEST(OfferedFix, TakesASignAwayWhereTheMassIsThenPlausible) {
   EXPECT_EQ(offered(box_with("-5.67", "0.01"))["mass-negative"], "remove the minus sign");
   // 0.006 m³: a ton would have the density of no solid, and water 6 kg.

@@ -208,6 +208,42 @@ std::optional<bool> visual_is_wrong(const SeenShape& touched, const SeenShape& s
   return *b > *a;
 }
 
+bool is_ball(const SeenShape& one) {
+  return std::holds_alternative<model::Sphere>(one.geometry->shape);
+}
+
+/// Whether a link is fixed to the end of one that turns, as a foot to a calf: its collision is meant to be larger than
+/// what is drawn.
+bool is_foot(std::uint32_t link, Context& context) {
+  const auto& links = context.assembled().links;
+  const auto carrier_type = [&](std::uint32_t i) {
+    const auto carrier = links[i].carrier;
+    return carrier ? context.root()[carrier].type : model::JointType::kUnknown;
+  };
+  if (!links[link].links_carried.empty() || carrier_type(link) != model::JointType::kFixed)
+    return false;
+  const auto parent = context.frames().ends(links[link].carrier).parent;
+  return parent && carrier_type(parent.value) == model::JointType::kRevolute;
+}
+
+/// Whether another link has both sizes as well: then they are a choice.
+bool recurs(const SeenShape& touched, const SeenShape& seen, std::uint32_t link, Context& context) {
+  return recurrences(sides(touched.bounds_L), link, context.assembled()) > 0 &&
+         recurrences(sides(seen.bounds_L), link, context.assembled()) > 0;
+}
+
+std::string message_of(const SeenShape& touched, const SeenShape& seen) {
+  const model::Vector3 a = sides(touched.bounds_L), b = sides(seen.bounds_L);
+  if (is_ball(touched) && is_ball(seen)) {
+    return fmt::format("the collision's radius is {:.3g} m, the visual's {:.3g} m", a.x / 2,
+                       b.x / 2);
+  }
+  return fmt::format(
+      "the collision's sides are {:.3g} × {:.3g} × {:.3g} m, the visual's {:.3g} × {:.3g} × {:.3g} "
+      "m",
+      a.x, a.y, a.z, b.x, b.y, b.z);
+}
+
 void check_link(std::uint32_t link, Context& context) {
   const model::Root& root = context.root();
   const std::vector<SeenShape> all = seen_shapes(link, context);
@@ -219,27 +255,25 @@ void check_link(std::uint32_t link, Context& context) {
     if (std::any_of(all.begin(), all.end(), fits)) continue;
     for (const SeenShape& seen : all) {
       if (seen.is_collision() || !in_one_place(touched, seen) || is_scaled(touched, seen)) continue;
+      const bool balls = is_ball(touched) && is_ball(seen);
+      if (balls && is_foot(link, context)) continue;
       auto of_collision = change_of(touched, seen);
       const auto of_visual = change_of(seen, touched);
       if (!of_collision && !of_visual) continue;
-      bool decided = true;
+      bool decided = !balls || !recurs(touched, seen, link, context);
       if (of_collision && of_visual) {
         const auto wrong = visual_is_wrong(touched, seen, link, context);
         // A visual of twice the size would have been seen; which decimal point slipped is not known.
         constexpr double kDecimal = 5;
         const double larger = largest_side(touched) / largest_side(seen);
-        decided = wrong || std::max(larger, 1 / larger) < kDecimal;
+        decided = decided && (wrong || std::max(larger, 1 / larger) < kDecimal);
         if (wrong.value_or(false)) of_collision.reset();
       }
       const auto& change = of_collision ? of_collision : of_visual;
       const SeenShape& one = of_collision ? touched : seen;
-      const model::Vector3 a = sides(touched.bounds_L), b = sides(seen.bounds_L);
       context.report(
           {.where = change->where,
-           .message =
-               fmt::format("the collision's sides are {:.3g} × {:.3g} × {:.3g} m, the visual's "
-                           "{:.3g} × {:.3g} × {:.3g} m",
-                           a.x, a.y, a.z, b.x, b.y, b.z),
+           .message = message_of(touched, seen),
            .subject = subject_of_shape(one, context),
            .related = {{(of_collision ? seen : touched).geometry->site.name,
                         of_collision ? "the visual" : "the collision"}},
@@ -272,7 +306,8 @@ Rule rule() {
           "are the same once a slip is undone: a diameter as the radius, radius and length "
           "exchanged, half sides, a decimal point. Where either can be wrong, it is the one that "
           "no other link has and that the moments of inertia do not fit; without such evidence "
-          "the finding is at the collision, and has no fix.",
+          "the finding is at the collision, and has no fix. Balls at the ends of legs may have "
+          "any size.",
       .what_to_do = "Write the size of the wrong one as in the other. SDF and URDF take radii, "
                     "and full sides of boxes.",
       .checks = {on<model::Root>(check)},
