@@ -315,5 +315,27 @@ TEST(AssemblySlips, FramesOfAPairMayBeAnywhere) {
   EXPECT_EQ(said("sibling-value-differs", stereo), kQuiet);
 }
 
+/// Cameras of 1 cm, joined so to a rail that is not drawn.
+std::string eyes(const std::string& left, const std::string& right, const std::string& type) {
+  const auto eye = [&](const std::string& side, const std::string& origin) {
+    std::string text =
+        link(side + "_cam", "<box size='0.01 0.01 0.01'/>") + joint(side + "_cam", "rail", origin);
+    const std::size_t at = text.find("revolute");
+    return at == text.npos ? text : text.replace(at, 8, type);
+  };
+  return link("base", "<box size='0.01 0.01 0.01'/>") + "<link name='rail'/>" +
+         joint("rail", "base", "0 0 0") + eye("l", left) + eye("r", right);
+}
+
+TEST(AssemblySlips, ABaselineIsNoSlip) {
+  for (const char* rule :
+       {"sibling-value-differs", "twin-value-differs", "link-misplaced", "link-off-its-parent"}) {
+    EXPECT_EQ(said(rule, eyes("0 0 0", "0 -0.09 0", "fixed")), kQuiet) << rule;
+  }
+  // Of parts that move, one at the origin was left out.
+  EXPECT_NE(said("sibling-value-differs", eyes("0 0 0", "0 -0.09 0", "revolute")), kQuiet);
+  EXPECT_NE(said("link-misplaced", eyes("0 0.001 0", "0 -9 0", "fixed")), kQuiet);
+}
+
 }  // namespace
 }  // namespace rigor::rules::assembly_slips

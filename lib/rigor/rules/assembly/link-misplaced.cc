@@ -115,7 +115,7 @@ std::optional<Misplaced> look_at(const PlacedUnit& unit, const Company& company,
   const robot::Assembled& robot = context.assembled();
   if (company.links < 2 || (unit.joint && !can_be_zero(*unit.joint))) return std::nullopt;
   const double apart = (company.complete ? kApart : kFarApart) * company.longest;
-  if (meets_carrier(unit, apart, robot, context)) return std::nullopt;
+  if (meets_carrier(unit, apart, robot, context) || is_eye(unit.link, context)) return std::nullopt;
   if (std::max(robot.shapes.size(), robot.links.size()) > kMaxCompared) return std::nullopt;
   const robot::Links moved = moved_links.with(unit.link);
   const auto gap = robot.gap(moved, {}, apart);

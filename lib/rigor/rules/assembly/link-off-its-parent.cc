@@ -242,6 +242,7 @@ std::optional<OddLink> odd_link(const Attached& one, const std::vector<Attached>
   if (odd.usual.joints < kFewest || !(odd.usual.longest > 0)) return std::nullopt;
   odd.oddity = oddity_of(one.fit, odd.usual);
   if (odd.oddity == Oddity::kNone) return std::nullopt;
+  if (odd.oddity == Oddity::kGap && is_eye(one.unit.link, context)) return std::nullopt;
   if (odd.oddity == Oddity::kGap && slides_to_parent(one, rigid, context)) return std::nullopt;
   odd.change = change_for(one, odd.usual, odd.oddity, context.root());
   const model::Joint& joint = context.root()[context.assembled().links[one.unit.link].carrier];

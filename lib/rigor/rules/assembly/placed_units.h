@@ -92,11 +92,50 @@ inline bool are_a_duo(std::uint32_t a, std::uint32_t b, Context& context) {
   return at_root(a) || at_root(b);
 }
 
+/// The link that two are fixed to; nothing where one is not, or to another.
+inline model::Id<model::Link> common_mount(std::uint32_t a, std::uint32_t b, Context& context) {
+  const auto mount_of = [&](std::uint32_t link) {
+    const auto carrier = context.assembled().links[link].carrier;
+    if (!carrier || context.root()[carrier].type != model::JointType::kFixed)
+      return model::Id<model::Link>{};
+    return context.frames().ends(carrier).parent;
+  };
+  const auto mount = mount_of(a);
+  return mount == mount_of(b) ? mount : model::Id<model::Link>{};
+}
+
+/// Whether two links are the eyes of a stereo camera: fixed to one link, one of them at its origin. What is between
+/// them is the baseline; with the other's origin they would be in one place.
+inline bool are_stereo_pair(std::uint32_t a, std::uint32_t b, Context& context) {
+  const auto mount = common_mount(a, b, context);
+  if (!mount) return false;
+  const robot::Assembled& robot = context.assembled();
+  const auto& X_WM = robot.links[mount.value].X_WL;
+  const auto at_mount = [&](std::uint32_t link) {
+    const auto& X_WL = robot.links[link].X_WL;
+    return X_WM && X_WL && X_WL->translation == X_WM->translation;
+  };
+  return at_mount(a) || at_mount(b);
+}
+
+/// Whether it is one of two cameras that a short baseline keeps apart: small, and with nothing drawn between them.
+inline bool is_eye(std::uint32_t link, Context& context) {
+  constexpr double kBaseline = 0.3;  // m
+  const robot::Assembled& robot = context.assembled();
+  return std::any_of(
+      robot.link_twins.begin(), robot.link_twins.end(), [&](const robot::Twins& pair) {
+        if (pair.a != link && pair.b != link) return false;
+        const auto &X_WA = robot.links[pair.a].X_WL, &X_WB = robot.links[pair.b].X_WL;
+        return common_mount(pair.a, pair.b, context) && X_WA && X_WB &&
+               length(X_WA->translation - X_WB->translation) < kBaseline;
+      });
+}
+
 /// Whether nothing tells where the two belong: the arms of a duo, or frames of which one is where its parent is, as
 /// that of one camera of two.
 inline bool may_be_anywhere(std::uint32_t a, std::uint32_t b, Context& context) {
   return is_frame_of_parent(a, context) || is_frame_of_parent(b, context) ||
-         are_a_duo(a, b, context);
+         are_a_duo(a, b, context) || are_stereo_pair(a, b, context);
 }
 
 /// Of the file itself, in its order.
