@@ -115,6 +115,34 @@ TEST(Severity, OfTextBehindANumberIsSmallForZeros) {
   EXPECT_EQ(in_sdf("value-trailing-text", with_width("818.5")), kOneError);
 }
 
+TEST(Severity, OfNoEffortGoesByWhetherAnythingDrivesTheJoint) {
+  const auto of_joint = [](const std::string& name, const std::string& beside) {
+    return in_urdf("effort-zero",
+                   "<robot name='r'><link name='a'/><link name='b'/><joint name='" + name +
+                       "' type='continuous'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/>"
+                       "<limit effort='0' velocity='1'/></joint>" +
+                       beside + "</robot>");
+  };
+  const auto control = [](const std::string& interface) {
+    return "<ros2_control name='c' type='system'><hardware><plugin>p/P</plugin></hardware><joint "
+           "name='arm'><" +
+           interface + " name='position'/></joint></ros2_control>";
+  };
+  const auto plugin = [](const std::string& file, const std::string& joints) {
+    return "<gazebo><plugin name='n' filename='" + file + "'><joint_name>" + joints +
+           "</joint_name></plugin></gazebo>";
+  };
+  EXPECT_EQ(of_joint("arm", ""), kOneInfo);
+  EXPECT_EQ(of_joint("arm", control("command_interface")), kOneWarning);
+  EXPECT_EQ(of_joint("arm", control("state_interface")), kOneInfo);
+  EXPECT_EQ(of_joint("arm", plugin("libmotor.so", "leg, arm")), kOneWarning);
+  EXPECT_EQ(of_joint("arm", plugin("libmotor.so", "forearm arm_2")), kOneInfo);
+  EXPECT_EQ(of_joint("arm", plugin("gz-sim-joint-state-publisher-system", "arm")), kOneInfo);
+  EXPECT_EQ(of_joint("caster_swivel_joint", ""), kNothing);
+  EXPECT_EQ(of_joint("caster_swivel_joint", plugin("libmotor.so", "caster_swivel_joint")),
+            kOneWarning);
+}
+
 TEST(Severity, OfSoftLimitsIsSmallWhereTheyMeanNone) {
   const auto safety = [](const char* lower, const char* upper) {
     return urdf_of(std::string("<safety_controller k_velocity='1' soft_lower_limit='") + lower +
