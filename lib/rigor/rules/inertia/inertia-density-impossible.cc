@@ -13,7 +13,9 @@
 
 #include <rigor/mass/proposal.h>
 #include <rigor/rules/inertia/moment_slips.h>
+#include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/inertia/tensor_mistake.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_density_impossible {
@@ -100,6 +102,21 @@ std::optional<Judgement> judged(double mass, const mass::Verdict& verdict) {
                    mass <= kMaybeToken || made_up ? Severity::kInfo : Severity::kWarning};
 }
 
+/// Whether the moments were computed of the link's own shapes: then the mass or the sizes are in doubt, which is
+/// what density-too-low and density-too-high are about.
+bool is_of_shapes(const model::Link& link, Context& context) {
+  const model::Inertial& inertial = link.inertial;
+  const mass::Inertia tensor =
+      mass::rotated(inertial.pose.pose.value.rotation, mass::tensor(inertial));
+  for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
+    const auto solid = solid_of_all(link, from, context);
+    if (!solid || !(solid->mass > 0)) continue;
+    const mass::Inertia own = mass::with_mass(*solid, inertial.mass.value).about_com;
+    if (tensor_mistake::difference(tensor, own) < tensor_mistake::kFits) return true;
+  }
+  return false;
+}
+
 void check(const model::Root& root, Context& context) {
   constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};  // inertia-identity is about that
   for (const model::Link& link : root.links) {
@@ -111,7 +128,7 @@ void check(const model::Root& root, Context& context) {
     if (!verdict.possible() || !(verdict.principal[2] > 0)) continue;
     if (is_rounding_of_zero(verdict) || mass::tensor(inertial) == kIdentity) continue;
     auto found = judged(mass, verdict);
-    if (!found) continue;
+    if (!found || is_of_shapes(link, context)) continue;
     const MomentSlip* slip = slip_of(mass, mass::trace(mass::tensor(inertial)));
     context.report({.where = inertial.tensor_site.name,
                     .message = std::move(found->message),
@@ -132,7 +149,9 @@ Rule rule() {
              "bodies of one density a ball has the smallest moments, so mass and moments alone "
              "say how dense a body is at least; and a solid box with these moments says how dense "
              "it is about. A thousandth in the moments is a factor of 30,000 in the density. "
-             "Shapes are not needed. What is lighter than air is an info up to a mass of 10 g, "
+             "Shapes are not needed; where the moments are just those of the link's own, "
+             "density-too-low or density-too-high says it. What is lighter than air is an info up "
+             "to a mass of 10 g, "
              "which may be a token, and where the same digit is written for all three moments, "
              "as tests have it.",
       .what_to_do = "Write the mass in kilograms and the moments in kg·m². `rigor inertia MODEL` "
