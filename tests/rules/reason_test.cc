@@ -70,6 +70,14 @@ TEST(Reason, OfAUrdfNamesItsReaders) {
                        "libsdformat"));
 }
 
+TEST(Reason, OfAMisspeltColorIsWhatTheReaderPrints) {
+  const Reported color =
+      of_urdf("unknown-attribute",
+              "<link name='a'/><material name='red'><color rgb='1 0 0 1'/></material>");
+  EXPECT_TRUE(mentions(color.why, "Material [red] color has no rgba"));
+  EXPECT_EQ(color.help, "did you mean 'rgba'?");
+}
+
 TEST(Reason, OfAMissingElementIsAboutThatElement) {
   EXPECT_TRUE(mentions(of_urdf("missing-element", "<joint name='j' type='fixed'/>").why, "links"));
   const Reported parent = of_urdf(

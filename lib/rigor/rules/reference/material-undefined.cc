@@ -2,19 +2,35 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string>
+#include <string_view>
+#include <unordered_set>
 
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
+#include <rigor/schema/suggest.h>
 
 namespace rigor::rules::material_undefined {
+
+/// Whether the color is there under another name, as rgb: unknown-attribute says so.
+bool has_misspelt_color(const model::Site& site, const Context& context) {
+  const auto color = context.element(site).child("color");
+  if (!color || color->attribute("rgba")) return false;
+  for (const xml::Attribute attribute : color->attributes()) {
+    if (!schema::near(attribute.name(), {"rgba"}).empty()) return true;
+  }
+  return false;
+}
 
 void check(const model::Root& root, Context& context) {
   std::unordered_set<std::string_view> defined;
   for (const model::RobotMaterial& material : root.materials) {
-    if (material.defines_color) defined.insert(material.name.value);
+    if (material.defines_color || has_misspelt_color(material.site, context))
+      defined.insert(material.name.value);
   }
   for (const model::Visual& visual : root.visuals) {
-    if (visual.material.defines_color) defined.insert(visual.material.name.value);
+    const model::Material& material = visual.material;
+    if (material.defines_color || (material.written && has_misspelt_color(material.site, context)))
+      defined.insert(material.name.value);
   }
   for (const model::Visual& visual : root.visuals) {
     const model::Material& material = visual.material;

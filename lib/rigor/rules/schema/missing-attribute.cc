@@ -1,13 +1,18 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/schema/refused_value.h>
+#include <rigor/schema/value.h>
+#include <rigor/xml/edit.h>
 
 namespace rigor::rules::missing_attribute {
 
@@ -38,15 +43,14 @@ bool looks_at_axis(const read::SchemaFact& fact) {
   return !type || (type->value() != "fixed" && type->value() != "floating");
 }
 
-/// urdfdom takes the default where there is one (but of an axis), ignores a color or texture without
-/// a value, and reads no sensors.
+/// urdfdom takes the default where there is one (but of an axis).
 bool needed(const read::SchemaFact& fact, const schema::Node& attribute, const Context& context) {
   const std::string_view name = fact.element.name();
   if (name == "sdf" || name == "gazebo")
     return attribute.name() != "version";  // sdf-version-missing
   if (!context.is_urdf()) return true;
   if (name == "axis") return attribute.name() == "xyz" && looks_at_axis(fact);
-  return !attribute.default_value() && name != "color" && name != "texture" && name != "sensor";
+  return !attribute.default_value() && !may_lack_attributes(name, context);
 }
 
 /// All that the element lacks, each in quotes.
@@ -66,11 +70,53 @@ bool urdf_refused(const read::SchemaFact& fact) {
   return element == "robot" || element == "link" || urdfdom_refuses_in(fact.element);
 }
 
+/// `<parent>a</parent>`, `<axis><xyz>0 0 1</xyz></axis>`: the element with its values as attributes, as URDF has it.
+/// Nothing when some of what it holds would be lost, or it lacks a value all the same.
+std::optional<std::string> with_attributes(const read::SchemaFact& fact) {
+  const xml::Element element = fact.element;
+  if (!element.attributes().empty()) return std::nullopt;
+  std::string text = "<" + std::string(element.name());
+  const auto add = [&text](const schema::Node& attribute, std::string_view value) {
+    value = read::trimmed(value);
+    if (value.empty() || schema::check(attribute.type(), value)) return false;
+    text += " " + std::string(attribute.name()) + "=\"" + xml::escaped(value) + "\"";
+    return true;
+  };
+  std::size_t required = 0;
+  for (const schema::Node attribute : fact.parent->required_attributes()) {
+    const auto child = element.child(attribute.name());
+    if (!child && !(required == 0 && element.children().empty())) return std::nullopt;
+    if (!add(attribute, child ? child->text() : element.text())) return std::nullopt;
+    ++required;
+  }
+  if (element.children().empty()) return required == 1 ? std::optional(text + "/>") : std::nullopt;
+  std::size_t children = 0;
+  for (const xml::Element child : element.children()) {
+    if (!child.attributes().empty() || !child.children().empty()) return std::nullopt;
+    ++children;
+  }
+  if (children != required) return std::nullopt;
+  return text + "/>";
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.node->name();
   if (!needed(fact, *fact.node, context)) return;
   const std::string names = missing(fact, context);
   if (!names.starts_with("'" + std::string(name) + "'")) return;  // reported at the first of them
+  const auto as_in_urdf = context.is_urdf() ? with_attributes(fact) : std::nullopt;
+  if (as_in_urdf) {
+    context.report(
+        {.where = fact.where,
+         .message = "<" + std::string(fact.element.name()) + "> has no " + names +
+                    ": this is SDF's form; URDF writes " + *as_in_urdf,
+         .subject = subject_of(fact.element),
+         .fix = fix_of("write it as URDF has it", Applicability::kUnsafe,
+                       xml::replace_element(context.document(), fact.element, *as_in_urdf)),
+         .refused = urdf_refused(fact),
+         .cause = "SDF's form of " + std::string(fact.element.name())});
+    return;
+  }
   context.report({.where = fact.where,
                   .message = "<" + std::string(fact.element.name()) + "> has no " + names,
                   .subject = subject_of(fact.element),
@@ -89,7 +135,8 @@ Rule rule() {
       .why = "libsdformat rejects the file at this element. urdfdom rejects the robot, or stops "
              "reading the link: this part and all that follow are not there. The joint of an "
              "<axis> without xyz has the axis 0 0 0.",
-      .what_to_do = "Add the attribute.",
+      .what_to_do = "Add the attribute. What SDF writes between tags, <parent>a</parent>, is an "
+                    "attribute in URDF: <parent link=\"a\"/>.",
       .checks = {on_schema({read::SchemaFactKind::kMissingAttribute}, check)},
   };
 }

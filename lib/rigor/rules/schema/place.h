@@ -51,6 +51,12 @@ inline std::vector<std::string_view> node_names(const schema::NodeRange& nodes) 
   return names;
 }
 
+/// Whether a URDF's readers take the element without what the schema requires of it, so that `missing-attribute` says
+/// nothing: urdfdom ignores a color or texture without a value, and reads no sensors.
+inline bool may_lack_attributes(std::string_view element, const Context& context) {
+  return context.is_urdf() && (element == "color" || element == "texture" || element == "sensor");
+}
+
 /// The missing required attribute that an unknown one was probably meant to be; `missing-attribute`
 /// then reports both.
 inline std::optional<std::string_view> meant_for_missing(const read::SchemaFact& fact,

@@ -33,16 +33,33 @@ bool is_habit(const read::SchemaFact& fact, const xml::Document& document) {
   return false;
 }
 
+/// Whether the value is one that the attribute of the other name can have.
+bool fits(std::string_view value, const read::SchemaFact& fact, std::string_view meant) {
+  const auto attribute = fact.parent->attribute(meant);
+  return attribute && !schema::check(attribute->type(), value);
+}
+
+/// What urdfdom says, where it looks for the value.
+std::string why_of(const read::SchemaFact& fact, std::string_view meant, const Context& context) {
+  if (!context.is_urdf() || fact.element.name() != "color" || meant != "rgba") return {};
+  const auto material = fact.element.parent();
+  const auto name = material ? material->attribute("name") : std::nullopt;
+  return "check_urdf prints \"Material [" + std::string(name ? name->value() : "") +
+         "] color has no rgba\", and the material has no color.";
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.attribute->name();
-  if (meant_for_missing(fact, name)) return;
+  const bool reported = !may_lack_attributes(fact.element.name(), context);
+  if (reported && meant_for_missing(fact, name)) return;
   if (dialect_reader(fact, context)) return;  // consumer-specific-name
   const auto near = schema::near(name, node_names(fact.parent->attributes()));
   if (context.is_urdf() && near.empty() && is_habit(fact, context.document())) return;
   std::optional<Fix> fix;
   if (holds_value(*fact.attribute, fact.element, *fact.parent)) {
     fix = value_as_text(*fact.attribute, fact.element, context);
-  } else if (near.size() == 1 && !fact.element.attribute(near.front())) {
+  } else if (near.size() == 1 && !fact.element.attribute(near.front()) &&
+             fits(fact.attribute->value(), fact, near.front())) {
     const std::string meant(near.front());
     fix = Fix{"write '" + meant + "'", Applicability::kUnsafe, {{fact.where, meant}}};
   }
@@ -51,7 +68,8 @@ void check(const read::SchemaFact& fact, Context& context) {
                              std::string(fact.element.name()) + ">: it has no effect",
                   .subject = subject_of(fact.element),
                   .help = near.empty() ? "" : "did you mean '" + std::string(near.front()) + "'?",
-                  .fix = std::move(fix)});
+                  .fix = std::move(fix),
+                  .why = near.empty() ? "" : why_of(fact, near.front(), context)});
 }
 
 Rule rule() {
