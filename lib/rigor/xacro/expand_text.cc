@@ -98,10 +98,10 @@ Value Expander::evaluate_segment(const TextSegment& segment, Scope& scope, Place
 
 Value Expander::evaluate_expression(std::string_view, const Expression& expression, Scope& scope,
                                     Place place) {
-  if (expression.degrees != kNoNode) report_degrees(expression, place);
   const Span outer = std::exchange(reader_, place.span);
   const Value v = evaluator_.evaluate(expression, scope);
   reader_ = outer;
+  if (expression.degrees != kNoNode) report_degrees(expression, scope, place);
   if (const auto failure = evaluator_.take_failure()) {
     for (const ExpressionNode& node : expression.nodes) {
       if (node.op != Op::kName) continue;

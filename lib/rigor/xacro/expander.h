@@ -153,7 +153,7 @@ class Expander final : public Host {
   // reporting.cc
   void report(FactKind kind, Place place, std::string name = {}, std::string detail = {},
               Span related = {});
-  void report_degrees(const Expression& expression, Place place);
+  void report_degrees(const Expression& expression, Scope& scope, Place place);
   void report_missing_prefix(const Node& node, MacroScope& macros);
   void report_failure(const Failure& failure, Place place);
   /// The first: what a strict parser stops at.

@@ -155,7 +155,8 @@ std::string describe(const Fact& f) {
     case FactKind::kRepeatedParameter:
       return "macro '" + f.detail + "' lists parameter " + name + " twice";
     case FactKind::kDegrees:
-      return f.name + "(" + f.detail + ") takes radians: " + f.detail + " looks like degrees";
+      return f.name + "(" + f.detail.substr(0, f.detail.find(' ')) +
+             ") takes radians: " + f.detail + " looks like degrees";
     case FactKind::kMissingPrefix:
       return "<" + f.name + "> is written like a call of macro " + name + " without xacro:";
     case FactKind::kConstantCondition: return "the condition is always " + name;

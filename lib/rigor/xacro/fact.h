@@ -71,7 +71,7 @@ enum class FactKind : std::uint8_t {
   kUnusedInclude,      ///< nothing that the file defines is used, and it brings no elements
   kShadowedName,       ///< a parameter or property that hides one of an outer scope
   kRepeatedParameter,  ///< a macro that lists a parameter twice
-  kDegrees,            ///< `sin(90)`: `name` is the function, `detail` the number
+  kDegrees,            ///< `sin(90)`: `name` is the function, `detail` the number, or "tilt = 90"
   kMissingPrefix,      ///< an element with the name and the parameters of a macro
   kConstantCondition,  ///< of `if` or `unless`, that no argument decides; `name` is it
   kDeadBranch,         ///< an `if` or `unless` that no set of arguments takes

@@ -4,7 +4,14 @@
 // What the expander found, once for all instances of a macro that show it, with the stack of the first.
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <functional>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include <rigor/xacro/expander.h>
@@ -178,12 +185,41 @@ void Expander::report_failure(const Failure& failure, Place place) {
   }
 }
 
-void Expander::report_degrees(const Expression& expression, Place place) {
+namespace {
+
+/// A whole number that a property holds, as it is or as a text that is not yet evaluated.
+std::optional<std::int64_t> whole_number(const Value& value) {
+  if (value.is(Type::kInteger)) return value.integer_;
+  if (value.is(Type::kReal)) {
+    constexpr double kMostDegrees = 1e6;
+    const bool whole =
+        std::abs(value.real_) < kMostDegrees && std::floor(value.real_) == value.real_;
+    return whole ? std::optional(static_cast<std::int64_t>(value.real_)) : std::nullopt;
+  }
+  if (!value.is_text()) return std::nullopt;
+  const std::string_view text = value.as_text();
+  std::int64_t number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool all = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return all ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+void Expander::report_degrees(const Expression& expression, Scope& scope, Place place) {
   const ExpressionNode& call = expression.nodes[expression.degrees];
   const ExpressionNode& argument = expression.nodes[expression.lists[call.b + 1]];
+  std::string detail;
+  if (argument.op == Op::kName) {
+    const Binding* binding = scope.find(argument.symbol);
+    const auto number = binding != nullptr ? whole_number(binding->value) : std::nullopt;
+    if (!number || std::abs(*number) <= kMostRadians) return;
+    detail = std::string(symbols_.name(argument.symbol)) + " = " + std::to_string(*number);
+  } else {
+    detail = std::to_string(argument.constant.integer_);
+  }
   report(FactKind::kDegrees, place.part(call.begin, std::max(call.end, call.begin + 1)),
-         std::string(symbols_.name(expression.nodes[call.a].symbol)),
-         std::to_string(argument.constant.integer_));
+         std::string(symbols_.name(expression.nodes[call.a].symbol)), std::move(detail));
 }
 
 /// Elements of URDF have the names of macros all the time: only one in the robot itself that gives what

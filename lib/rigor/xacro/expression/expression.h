@@ -111,7 +111,8 @@ struct Expression {
   std::pmr::vector<std::uint32_t> lists;  ///< a list is its size, then its nodes
   std::uint32_t root = kNoNode;
   std::optional<ExpressionTrouble> trouble;
-  /// The call of a trigonometric function with a whole number of degrees in it, when there is one.
+  /// The call of a trigonometric function with a whole number of degrees in it, else the first with a name alone, of
+  /// which only its value tells.
   std::uint32_t degrees = kNoNode;
 };
 
@@ -119,7 +120,10 @@ struct Expression {
 Expression parse_expression(std::string_view text, Heap& heap, Symbols& symbols,
                             std::pmr::memory_resource& memory = *std::pmr::get_default_resource());
 
-/// Of `Expression::degrees`: `sin(90)`, `math.cos(180)`. No angle in radians is a whole number over 6.
+/// No angle in radians is a whole number over 6.
+inline constexpr std::int64_t kMostRadians = 6;
+
+/// Of `Expression::degrees`: `sin(90)`, `math.cos(180)`, `sin(tilt)`.
 std::uint32_t find_degrees(const Expression& expression, const Symbols& symbols);
 
 /// Whether Python takes it for a name: letters, digits and `_`, no keyword.

@@ -110,7 +110,7 @@ TextTemplate TextTemplates::taken_apart(std::string_view text) {
 }
 
 std::uint32_t find_degrees(const Expression& expression, const Symbols& symbols) {
-  constexpr std::int64_t kLargestRadians = 6;
+  std::uint32_t of_name = kNoNode;
   for (std::uint32_t i = 0; i < expression.nodes.size(); ++i) {
     const ExpressionNode& call = expression.nodes[i];
     if (call.op != Op::kCall || expression.lists[call.b] != 1) continue;
@@ -120,11 +120,12 @@ std::uint32_t find_degrees(const Expression& expression, const Symbols& symbols)
     if (name != "sin" && name != "cos" && name != "tan") continue;
     const ExpressionNode& argument = expression.nodes[expression.lists[call.b + 1]];
     if (argument.op == Op::kConstant && argument.constant.is(Type::kInteger) &&
-        argument.constant.integer_ > kLargestRadians) {
+        argument.constant.integer_ > kMostRadians) {
       return i;
     }
+    if (argument.op == Op::kName && of_name == kNoNode) of_name = i;
   }
-  return kNoNode;
+  return of_name;
 }
 
 }  // namespace rigor::xacro
