@@ -78,6 +78,14 @@ TEST(Reason, OfAMisspeltColorIsWhatTheReaderPrints) {
   EXPECT_EQ(color.help, "did you mean 'rgba'?");
 }
 
+TEST(Reason, OfANestedCommentIsTheOneThatIsOpen) {
+  const Reported nested =
+      of_sdf("xml-double-hyphen-in-comment", "<link name='a'/><!--a --> <!--b <!--c /-->");
+  EXPECT_TRUE(mentions(nested.help, "close it with '-->'"));
+  const Reported line = of_sdf("xml-double-hyphen-in-comment", "<link name='a'/><!-- -- -->");
+  EXPECT_TRUE(mentions(line.help, "====="));
+}
+
 TEST(Reason, OfAMissingElementIsAboutThatElement) {
   EXPECT_TRUE(mentions(of_urdf("missing-element", "<joint name='j' type='fixed'/>").why, "links"));
   const Reported parent = of_urdf(

@@ -35,7 +35,30 @@ std::optional<Fix> write_equals(const xml::Fault& fault, std::string_view bytes)
   return fix;
 }
 
+/// The `<!--` of the comment around the hyphens of another `<!--`; nothing for other hyphens.
+std::optional<Span> still_open(const xml::Fault& fault, std::string_view bytes) {
+  constexpr std::string_view kOpen = "<!--";
+  const std::size_t inner = fault.where.begin - 2;
+  if (fault.where.begin < kOpen.size() || bytes.substr(inner, kOpen.size()) != kOpen)
+    return std::nullopt;
+  const std::size_t outer = bytes.rfind(kOpen, inner - 1);
+  if (outer == bytes.npos) return std::nullopt;
+  Span open = fault.where;
+  open.begin = static_cast<std::uint32_t>(outer);
+  open.end = static_cast<std::uint32_t>(outer + kOpen.size());
+  return open;
+}
+
 void check(const xml::Fault& fault, Context& context) {
+  if (const auto open = still_open(fault, context.document().bytes())) {
+    const auto line = context.sources().position(open->source, open->begin).line;
+    context.report({.where = fault.where,
+                    .message = "'<!--' inside a comment: the one that opened at line " +
+                               std::to_string(line) + " is still open" + and_more(fault),
+                    .related = {{*open, "opened here"}},
+                    .help = "close it with '-->' before this line, or take this '<!--' out"});
+    return;
+  }
   context.report({.where = fault.where,
                   .message = "'--' is not allowed inside a comment" + and_more(fault),
                   .fix = write_equals(fault, context.document().bytes())});
@@ -49,7 +72,8 @@ Rule rule() {
       .summary = "a comment holds '--'",
       .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) accepts it; strict parsers, Python's among "
              "them, reject the whole file, and with them the ROS tools that are written in Python.",
-      .what_to_do = "Write another line of characters, as in <!-- ===== wheels ===== -->.",
+      .what_to_do = "Write another line of characters, as in <!-- ===== wheels ===== -->. Comments "
+                    "do not nest: close the outer one first.",
       .checks = {on_xml({xml::FaultKind::kHyphensInComment}, check)},
   };
 }
