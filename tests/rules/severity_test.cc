@@ -143,6 +143,17 @@ TEST(Severity, OfNoEffortGoesByWhetherAnythingDrivesTheJoint) {
             kOneWarning);
 }
 
+TEST(Severity, OfNegativeEffortsGoesByWhetherOneMeansUnlimited) {
+  const auto limited = [](const std::string& effort) {
+    return "<sdf version='1.10'><model name='m'><link name='a'/><link name='b'/><joint name='j' "
+           "type='revolute'><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz><limit>"
+           "<lower>-1</lower><upper>1</upper><effort>" +
+           effort + "</effort></limit></axis></joint></model></sdf>";
+  };
+  EXPECT_EQ(in_sdf("effort-limit-negative", limited("-1")), kOneInfo);
+  EXPECT_EQ(in_sdf("effort-limit-negative", limited("-30")), kOneWarning);
+}
+
 TEST(Severity, OfSoftLimitsIsSmallWhereTheyMeanNone) {
   const auto safety = [](const char* lower, const char* upper) {
     return urdf_of(std::string("<safety_controller k_velocity='1' soft_lower_limit='") + lower +

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <fmt/core.h>
@@ -27,15 +28,16 @@ void check(const model::Joint& joint, Context& context) {
                                    : std::string(position_unit(joint.type)) + "/s";
       context.report(
           {.where = limit->span,
-           .message = fmt::format(
-               "the {} limit is {:.6g} {}: {}", limit == &axis.effort ? "effort" : "velocity",
-               limit->value, unit,
-               no_limit ? "since SDF 1.10 'inf' means unlimited" : "a negative one counts as none"),
+           .message = fmt::format("the {} limit is {:.6g} {}: {}",
+                                  limit == &axis.effort ? "effort" : "velocity", limit->value, unit,
+                                  no_limit ? "unlimited, which SDF writes as 'inf' since 1.10"
+                                           : "a negative one counts as none"),
            .subject = context.subject(joint),
-           .fix = Fix{
-               no_limit ? "write infinity" : "write it without the sign",
-               Applicability::kUnsafe,
-               {{limit->span, no_limit ? std::string("inf") : write::joined({-limit->value})}}}});
+           .fix =
+               Fix{no_limit ? "write infinity" : "write it without the sign",
+                   Applicability::kUnsafe,
+                   {{limit->span, no_limit ? std::string("inf") : write::joined({-limit->value})}}},
+           .severity = no_limit ? std::optional(Severity::kInfo) : std::nullopt});
     }
   }
 }
@@ -49,7 +51,8 @@ Rule rule() {
       .summary = "the effort or velocity limit of a joint is negative",
       .why = "Up to SDF 1.9 the default -1 stood for no limit, since 1.10 infinity does. "
              "libsdformat makes every negative one infinite, so a sign by mistake leaves the joint "
-             "without a limit; other programs use it as a limit that no motion meets.",
+             "without a limit; other programs use it as a limit that no motion meets. A -1 is what "
+             "older versions have for no limit, and an info.",
       .what_to_do = "Write the maximum effort or speed; for no limit omit it.",
       .checks = {on<model::Joint>(check)},
   };
