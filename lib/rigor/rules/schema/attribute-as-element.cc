@@ -21,11 +21,19 @@ std::optional<Fix> as_attribute(const read::SchemaFact& fact, const Context& con
   return fix_of("write it as an attribute", Applicability::kUnsafe, std::move(edits));
 }
 
+/// Whether a required attribute of the parent is written as an element, too: missing-attribute says it of all.
+bool is_form_of_parent(const read::SchemaFact& fact) {
+  const auto parent = fact.element.parent();
+  if (!parent) return false;
+  for (const schema::Node required : fact.parent->required_attributes()) {
+    if (!parent->attribute(required.name()) && parent->child(required.name())) return true;
+  }
+  return false;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.element.name());
-  const auto parent = fact.element.parent();
-  const bool required = fact.node->cardinality() == schema::Cardinality::kOne;
-  if (required && parent && !parent->attribute(name)) return;  // missing-attribute
+  if (is_form_of_parent(fact)) return;
   context.report({.where = fact.where,
                   .message = "<" + name + "> has no effect: '" + name + "' is an attribute of <" +
                              std::string(fact.parent->name()) + ">",

@@ -70,33 +70,35 @@ bool urdf_refused(const read::SchemaFact& fact) {
   return element == "robot" || element == "link" || urdfdom_refuses_in(fact.element);
 }
 
+/// ` link="a"`; nothing where the text is no value of the attribute.
+std::optional<std::string> as_attribute(const schema::Node& attribute, std::string_view text) {
+  const std::string_view value = read::trimmed(text);
+  if (value.empty() || schema::check(attribute.type(), value)) return std::nullopt;
+  return " " + std::string(attribute.name()) + "=\"" + xml::escaped(value) + "\"";
+}
+
 /// `<parent>a</parent>`, `<axis><xyz>0 0 1</xyz></axis>`: the element with its values as attributes, as URDF has it.
 /// Nothing when some of what it holds would be lost, or it lacks a value all the same.
 std::optional<std::string> with_attributes(const read::SchemaFact& fact) {
   const xml::Element element = fact.element;
   if (!element.attributes().empty()) return std::nullopt;
-  std::string text = "<" + std::string(element.name());
-  const auto add = [&text](const schema::Node& attribute, std::string_view value) {
-    value = read::trimmed(value);
-    if (value.empty() || schema::check(attribute.type(), value)) return false;
-    text += " " + std::string(attribute.name()) + "=\"" + xml::escaped(value) + "\"";
-    return true;
-  };
+  std::string attributes;
+  for (const xml::Element child : element.children()) {
+    const auto attribute = fact.parent->attribute(child.name());
+    const bool plain = child.attributes().empty() && child.children().empty();
+    const auto text = attribute && plain ? as_attribute(*attribute, child.text()) : std::nullopt;
+    if (!text || element.child(child.name())->index() != child.index()) return std::nullopt;
+    attributes += *text;
+  }
   std::size_t required = 0;
   for (const schema::Node attribute : fact.parent->required_attributes()) {
-    const auto child = element.child(attribute.name());
-    if (!child && !(required == 0 && element.children().empty())) return std::nullopt;
-    if (!add(attribute, child ? child->text() : element.text())) return std::nullopt;
     ++required;
+    if (element.child(attribute.name())) continue;
+    const auto text = as_attribute(attribute, element.text());
+    if (!element.children().empty() || required > 1 || !text) return std::nullopt;
+    attributes += *text;
   }
-  if (element.children().empty()) return required == 1 ? std::optional(text + "/>") : std::nullopt;
-  std::size_t children = 0;
-  for (const xml::Element child : element.children()) {
-    if (!child.attributes().empty() || !child.children().empty()) return std::nullopt;
-    ++children;
-  }
-  if (children != required) return std::nullopt;
-  return text + "/>";
+  return "<" + std::string(element.name()) + attributes + "/>";
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
