@@ -47,89 +47,96 @@ TEST(Formatted, AFileIsIndentedByItsNesting) {
 }
 
 TEST(Formatted, NumbersAreKeptAndRowsOfThemTakeOneLine) {
-  EXPECT_EQ(text_of("<a>\n  <pose>\n    0 0  1e-3\n    +.5 0 1.50\n  </pose>\n"
-                    "  <origin xyz=\" 0  0 1\" name=\"x  y\"/>\n</a>\n"),
-            "<a>\n  <pose>0 0 1e-3 +.5 0 1.50</pose>\n"
-            "  <origin xyz=\"0 0 1\" name=\"x  y\"/>\n</a>\n");
+  EXPECT_EQ(text_of("<sdf>\n  <pose>\n    0 0  1e-3\n    +.5 0 1.50\n  </pose>\n"
+                    "  <origin xyz=\" 0  0 1\" name=\"x  y\"/>\n</sdf>\n"),
+            "<sdf>\n  <pose>0 0 1e-3 +.5 0 1.50</pose>\n"
+            "  <origin xyz=\"0 0 1\" name=\"x  y\"/>\n</sdf>\n");
 }
 
 TEST(Formatted, TextThatIsNoRowOfNumbersKeepsItsBytes) {
-  const std::string text = "<a>\n  <uri> model://x </uri>\n  <b>1 ${two}\n 3</b>\n</a>\n";
+  const std::string text = "<sdf>\n  <uri> model://x </uri>\n  <b>1 ${two}\n 3</b>\n</sdf>\n";
   EXPECT_EQ(text_of(text), text);
 }
 
 TEST(Formatted, CommentsStayWhereTheyAre) {
-  EXPECT_EQ(text_of("<a> <!-- of a -->\n<!-- of b,\n   two lines -->\n <b/>   <!-- behind b -->\n"
-                    "<!-- rigor: ignore[x] --><c/></a><!-- end -->"),
-            "<a> <!-- of a -->\n  <!-- of b,\n   two lines -->\n  <b/> <!-- behind b -->\n"
-            "  <!-- rigor: ignore[x] -->\n  <c/>\n</a> <!-- end -->\n");
+  EXPECT_EQ(text_of("<sdf> <!-- of a -->\n<!-- of b,\n   two lines -->\n <b/>   <!-- behind b -->\n"
+                    "<!-- rigor: ignore[x] --><c/></sdf><!-- end -->"),
+            "<sdf> <!-- of a -->\n  <!-- of b,\n   two lines -->\n  <b/> <!-- behind b -->\n"
+            "  <!-- rigor: ignore[x] -->\n  <c/>\n</sdf> <!-- end -->\n");
 }
 
 TEST(Formatted, OneBlankLineOfARunStays) {
-  EXPECT_EQ(text_of("<a>\n\n\n  <b/>\n  \n\n\n  <c/>\n  <d/>\n\n</a>\n\n\n"),
-            "<a>\n  <b/>\n\n  <c/>\n  <d/>\n</a>\n");
+  EXPECT_EQ(text_of("<sdf>\n\n\n  <b/>\n  \n\n\n  <c/>\n  <d/>\n\n</sdf>\n\n\n"),
+            "<sdf>\n  <b/>\n\n  <c/>\n  <d/>\n</sdf>\n");
 }
 
 TEST(Formatted, APluginKeepsItsContent) {
-  EXPECT_EQ(text_of("<a>\n<plugin  name='p'>\n   <x>1   2</x> odd </plugin>\n</a>\n"),
-            "<a>\n  <plugin name=\"p\">\n   <x>1   2</x> odd </plugin>\n</a>\n");
+  EXPECT_EQ(text_of("<sdf>\n<plugin  name='p'>\n   <x>1   2</x> odd </plugin>\n</sdf>\n"),
+            "<sdf>\n  <plugin name=\"p\">\n   <x>1   2</x> odd </plugin>\n</sdf>\n");
 }
 
 TEST(Formatted, SoDoesOneOfWhiteSpace) {
-  const std::string text = "<a>\n  <plugin name=\"p\">\n \n  </plugin>\n</a>\n";
+  const std::string text = "<sdf>\n  <plugin name=\"p\">\n \n  </plugin>\n</sdf>\n";
   EXPECT_EQ(text_of(text), text);
 }
 
 TEST(Formatted, TextAmongElementsKeepsTheContentOfItsElement) {
-  const std::string text = "<a>\n  <b>one <c  x='1'/>\n two</b>\n</a>\n";
+  const std::string text = "<sdf>\n  <b>one <c  x='1'/>\n two</b>\n</sdf>\n";
   EXPECT_EQ(text_of(text), text);
 }
 
 TEST(Formatted, CharacterDataKeepsItsBytes) {
-  const std::string text = "<a>\n  <b><![CDATA[ 1  2 ]]></b>\n</a>\n";
+  const std::string text = "<sdf>\n  <b><![CDATA[ 1  2 ]]></b>\n</sdf>\n";
   EXPECT_EQ(text_of(text), text);
 }
 
 TEST(Formatted, ALongTagGetsALineForEachAttribute) {
   FormatStyle style;
   style.width = 31;
-  EXPECT_EQ(
-      text_of("<a><limit lower=\"-1.57\" upper=\"1.57\" effort=\"10\"/></a>", style),
-      "<a>\n  <limit\n      lower=\"-1.57\"\n      upper=\"1.57\"\n      effort=\"10\"/>\n</a>\n");
-  EXPECT_EQ(text_of("<a>\n<limit\n   lower=\"-1\"\n   upper=\"1\"/></a>", style),
-            "<a>\n  <limit lower=\"-1\" upper=\"1\"/>\n</a>\n");
+  EXPECT_EQ(text_of("<sdf><limit lower=\"-1.57\" upper=\"1.57\" effort=\"10\"/></sdf>", style),
+            "<sdf>\n  <limit\n      lower=\"-1.57\"\n      upper=\"1.57\"\n      "
+            "effort=\"10\"/>\n</sdf>\n");
+  EXPECT_EQ(text_of("<sdf>\n<limit\n   lower=\"-1\"\n   upper=\"1\"/></sdf>", style),
+            "<sdf>\n  <limit lower=\"-1\" upper=\"1\"/>\n</sdf>\n");
 }
 
 TEST(Formatted, AValueKeepsItsQuotesWhereItHoldsTheOther) {
-  EXPECT_EQ(text_of("<a b='say \"no\"' c='1'/>\n"), "<a b='say \"no\"' c=\"1\"/>\n");
+  EXPECT_EQ(text_of("<sdf b='say \"no\"' c='1'/>\n"), "<sdf b='say \"no\"' c=\"1\"/>\n");
   FormatStyle single;
   single.quotes = FormatQuotes::kSingle;
-  EXPECT_EQ(text_of("<a b=\"${'x'}\" c=\"1\"/>\n", single), "<a b=\"${'x'}\" c='1'/>\n");
+  EXPECT_EQ(text_of("<sdf b=\"${'x'}\" c=\"1\"/>\n", single), "<sdf b=\"${'x'}\" c='1'/>\n");
   FormatStyle keep;
   keep.quotes = FormatQuotes::kKeep;
-  EXPECT_EQ(text_of("<a  b='1' c=\"1\"/>\n", keep), "<a b='1' c=\"1\"/>\n");
+  EXPECT_EQ(text_of("<sdf  b='1' c=\"1\"/>\n", keep), "<sdf b='1' c=\"1\"/>\n");
 }
 
 TEST(Formatted, LineEndsAreTheFilesOwn) {
-  EXPECT_EQ(text_of("<a>\r\n<b/><c/></a>"), "<a>\r\n  <b/>\r\n  <c/>\r\n</a>\r\n");
+  EXPECT_EQ(text_of("<sdf>\r\n<b/><c/></sdf>"), "<sdf>\r\n  <b/>\r\n  <c/>\r\n</sdf>\r\n");
 }
 
 TEST(Formatted, AnEmptyElementStaysAsItIsWritten) {
-  EXPECT_EQ(text_of("<a><b>\n</b><c /><d></d></a>"), "<a>\n  <b></b>\n  <c/>\n  <d></d>\n</a>\n");
+  EXPECT_EQ(text_of("<sdf><b>\n</b><c /><d></d></sdf>"),
+            "<sdf>\n  <b></b>\n  <c/>\n  <d></d>\n</sdf>\n");
 }
 
 TEST(Formatted, WhatIsNotWellFormedIsRefused) {
-  for (const std::string_view bytes : {"<a><b></a>", "<a", "", "<a/>text", "text<a/>"}) {
+  for (const std::string_view bytes : {"<sdf><b></sdf>", "<sdf", "", "<sdf/>text", "text<sdf/>"}) {
     const Formatted result = formatted_of(bytes);
     EXPECT_EQ(result.outcome, FormatOutcome::kUnreadable) << bytes;
     EXPECT_EQ(result.text, "") << bytes;
   }
 }
 
+TEST(Formatted, WhatIsNoRobotModelIsRefused) {
+  EXPECT_EQ(formatted_of("<launch><node pkg='a'/></launch>").refused,
+            "<launch> is no robot model's root element");
+  EXPECT_EQ(text_of("<x xmlns:xacro='u'/>"), "<x xmlns:xacro=\"u\"/>\n") << "a file of macros";
+}
+
 TEST(Formatted, OnlyTheLinesThatAreAskedForChange) {
-  const std::string text = "<a>\n<b/>\n<c/>\n<d/>\n</a>\n";
+  const std::string text = "<sdf>\n<b/>\n<c/>\n<d/>\n</sdf>\n";
   const Formatted result = formatted_in_lines(xml::parse(text, SourceId{0}), {}, 3, 3);
-  EXPECT_EQ(result.text, "<a>\n<b/>\n  <c/>\n<d/>\n</a>\n");
+  EXPECT_EQ(result.text, "<sdf>\n<b/>\n  <c/>\n<d/>\n</sdf>\n");
 }
 
 TEST(Formatted, ChildrenAreInTheOrderOfTheSchemaWhereThatIsAskedFor) {
@@ -173,26 +180,26 @@ TEST(Formatted, AnotherOrderIsNoOtherFileButForTheOrder) {
   const auto same = [](std::string_view a, std::string_view b) {
     return same_but_for_order(xml::parse(a, SourceId{0}), xml::parse(b, SourceId{1}));
   };
-  EXPECT_TRUE(same("<a><b x='1'/><c>2</c></a>", "<a><c>2</c><b x='1'/></a>"));
-  EXPECT_FALSE(same("<a><b x='1'/><b x='2'/></a>", "<a><b x='2'/><b x='1'/></a>"));
-  EXPECT_FALSE(same("<a><b><d/></b><c/></a>", "<a><b/><c><d/></c></a>"));
-  EXPECT_FALSE(same("<a><!--1--><b/></a>", "<a><!--2--><b/></a>"));
+  EXPECT_TRUE(same("<sdf><b x='1'/><c>2</c></sdf>", "<sdf><c>2</c><b x='1'/></sdf>"));
+  EXPECT_FALSE(same("<sdf><b x='1'/><b x='2'/></sdf>", "<sdf><b x='2'/><b x='1'/></sdf>"));
+  EXPECT_FALSE(same("<sdf><b><d/></b><c/></sdf>", "<sdf><b/><c><d/></c></sdf>"));
+  EXPECT_FALSE(same("<sdf><!--1--><b/></sdf>", "<sdf><!--2--><b/></sdf>"));
 }
 
 TEST(SameContent, SeesWhatAReaderSees) {
   const auto same = [](std::string_view a, std::string_view b) {
     return same_content(xml::parse(a, SourceId{0}), xml::parse(b, SourceId{1}));
   };
-  EXPECT_TRUE(same("<a><b x='1'>1  2</b></a>", "<a>\n<b x=\"1\">1 2</b>\n</a>"));
-  EXPECT_FALSE(same("<a><b/></a>", "<a><c/></a>"));
-  EXPECT_FALSE(same("<a><b/></a>", "<a><b/><b/></a>"));
-  EXPECT_FALSE(same("<a x='1'/>", "<a x='2'/>"));
-  EXPECT_FALSE(same("<a x='1' y='2'/>", "<a x='1'/>"));
-  EXPECT_FALSE(same("<a>1 2</a>", "<a>12</a>"));
-  EXPECT_FALSE(same("<a>x  y</a>", "<a>x y</a>"));
-  EXPECT_FALSE(same("<a><!-- b --></a>", "<a><!--b--></a>"));
-  EXPECT_FALSE(same("<a><plugin><b/></plugin></a>", "<a><plugin> <b/></plugin></a>"));
-  EXPECT_FALSE(same("<a><b/></a>", "<a><b></b></a>"));
+  EXPECT_TRUE(same("<sdf><b x='1'>1  2</b></sdf>", "<sdf>\n<b x=\"1\">1 2</b>\n</sdf>"));
+  EXPECT_FALSE(same("<sdf><b/></sdf>", "<sdf><c/></sdf>"));
+  EXPECT_FALSE(same("<sdf><b/></sdf>", "<sdf><b/><b/></sdf>"));
+  EXPECT_FALSE(same("<sdf x='1'/>", "<sdf x='2'/>"));
+  EXPECT_FALSE(same("<sdf x='1' y='2'/>", "<sdf x='1'/>"));
+  EXPECT_FALSE(same("<sdf>1 2</sdf>", "<sdf>12</sdf>"));
+  EXPECT_FALSE(same("<sdf>x  y</sdf>", "<sdf>x y</sdf>"));
+  EXPECT_FALSE(same("<sdf><!-- b --></sdf>", "<sdf><!--b--></sdf>"));
+  EXPECT_FALSE(same("<sdf><plugin><b/></plugin></sdf>", "<sdf><plugin> <b/></plugin></sdf>"));
+  EXPECT_FALSE(same("<sdf><b/></sdf>", "<sdf><b></b></sdf>"));
 }
 
 /// What a formatter may not touch: all that is neither white space nor a quote.

@@ -164,7 +164,7 @@ class Fmt final : public Command {
     const std::string words = check_ || diff_ ? "would be formatted" : "formatted";
     std::string line =
         fmt::format("rigor: {} of {} {}", changed_, report::counted(files, "file"), words);
-    if (refused_ > 0) line += fmt::format(", {} left as they are", refused_);
+    if (refused_ > 0) line += ", " + report::counted(refused_, "file") + " left unchanged";
     say(line);
   }
 

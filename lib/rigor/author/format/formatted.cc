@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <rigor/author/format/layout.h>
@@ -15,6 +17,16 @@
 namespace rigor::author {
 namespace {
 
+/// The roots of models, and of what they include.
+constexpr std::string_view kRoots[] = {"sdf",   "gazebo", "robot", "mujoco", "mujocoinclude",
+                                       "model", "world",  "actor", "light",  "link"};
+
+/// Of a launch file or a page white space may mean something; a template of xacro may begin with any element.
+bool is_of_model(const xml::Element root) {
+  return std::find(std::begin(kRoots), std::end(kRoots), root.name()) != std::end(kRoots) ||
+         root.attribute("xmlns:xacro");
+}
+
 /// Faults that keep a strict parser from the file are for `validate` to report; these leave no structure to keep.
 std::string why_refused(const xml::Document& document) {
   if (!document.complete()) return "it is not well-formed XML";
@@ -23,6 +35,9 @@ std::string why_refused(const xml::Document& document) {
       return "it has text outside its root element";
     if (fault.kind == xml::FaultKind::kNotUtf8) return "it is not UTF-8";
   }
+  const auto root = document.root();
+  if (root && !is_of_model(*root))
+    return "<" + std::string(root->name()) + "> is no robot model's root element";
   return {};
 }
 

@@ -26,7 +26,7 @@ namespace rigor::author {
 
 enum class FormatOutcome : std::uint8_t {
   kDone,
-  kUnreadable,   ///< not well-formed, or text stands outside the root element
+  kUnreadable,   ///< not well-formed, text stands outside the root element, or it is no robot model
   kWouldDiffer,  ///< the result would read otherwise: a fault of ours
 };
 
