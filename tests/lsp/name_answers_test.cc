@@ -112,6 +112,34 @@ TEST(LspNames, WhatCannotBeRenamedIsRefusedWithTheReason) {
       << editor.error().dump();
 }
 
+TEST(LspNames, ANameThatAnExpressionComposesIsRenamedWhole) {
+  const std::string once =
+      "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
+      "<xacro:macro name='m' params='side'><link name='${side}_wheel'/></xacro:macro>\n"
+      "<xacro:m side='left'/>\n</robot>";
+  MemoryDisk disk;
+  Editor editor(disk);
+  const std::string path = "/ws/r.urdf.xacro";
+  editor.open(path, once);
+  Json params = editor.at(path, "_wheel", 2);
+  const Json prepared = editor.request("textDocument/prepareRename", params);
+  EXPECT_EQ(prepared["placeholder"], "left_wheel");
+  params["newName"] = "left_tyre";
+  const std::string after = editor.edited(path, editor.request("textDocument/rename", params));
+  EXPECT_NE(after.find("'${side}_tyre'"), std::string::npos) << after;
+  // Of two calls it is the name of two links.
+  std::string twice = once;
+  twice.insert(twice.find("</robot>"), "<xacro:m side='right'/>");
+  const std::string other = "/ws/s.urdf.xacro";
+  editor.open(other, twice);
+  params = editor.at(other, "_wheel", 2);
+  params["newName"] = "left_tyre";
+  EXPECT_TRUE(editor.request("textDocument/rename", params).is_null());
+  EXPECT_NE(editor.error()["message"].get<std::string>().find("the name of several"),
+            std::string::npos)
+      << editor.error().dump();
+}
+
 constexpr const char* kTemplate =
     "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
     "<xacro:arg name='scale' default='1'/>\n"
@@ -296,6 +324,10 @@ TEST(LspNames, MacrosHaveAHierarchyOfCalls) {
       editor.request("callHierarchy/outgoingCalls", {{"item", incoming[0]["from"]}});
   ASSERT_EQ(outgoing.size(), 1U);
   EXPECT_EQ(outgoing[0]["to"]["name"], "leaf");
+  const Json of_robot =
+      editor.request("callHierarchy/incomingCalls", {{"item", incoming[0]["from"]}});
+  ASSERT_EQ(of_robot.size(), 1U) << "the robot itself calls it";
+  EXPECT_EQ(of_robot[0]["from"]["name"], "r.urdf.xacro");
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ void add_suppressions(const CodeActionRequest& request, const Diagnostic& findin
                       const Json& diagnostic, Json& actions) {
   if (finding.where.nowhere()) return;
   Analysis& analysis = request.document.analysis(request.state.environment());
+  if (!analysis.written().complete()) return;  // no comment hides what ends the reading
   const auto add = [&](std::string title, const std::vector<Edit>& edits) {
     if (edits.empty()) return;
     actions.push_back({{"title", std::move(title)},
@@ -166,7 +167,8 @@ void add_rewrites(const CodeActionRequest& request, Json& actions) {
                          {"version", request.document.version()},
                          {"element", element.index()}}}});
   };
-  if (const auto link = enclosing(analysis.written(), request.begin, "link"))
+  const auto link = enclosing(analysis.written(), request.begin, "link");
+  if (link && (link->child("collision") || link->child("visual")))
     add("compute this inertial from the link's shapes", "inertial", *link);
   const auto joint = enclosing(analysis.written(), request.begin, "joint");
   if (!joint) return;

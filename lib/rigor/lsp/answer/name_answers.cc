@@ -67,6 +67,24 @@ Json composed_definitions(const State& state, const Cursor& cursor) {
   return list.empty() ? Json() : list;
 }
 
+/// The name to change: where an expression composes it, the whole one, when it is one alone.
+std::optional<NameAt> renamable_at(Analysis& analysis, std::uint32_t offset,
+                                   const std::vector<std::string>& files) {
+  if (auto name = name_at(analysis, offset)) return name;
+  std::vector<NameAt> composed = composed_names_at(analysis, offset, files);
+  std::string several;
+  for (const NameAt& each : composed) {
+    const auto& id = std::get<author::EntityId>(each.name);
+    if (id == std::get<author::EntityId>(composed.front().name)) continue;
+    several = "an expression composes '" + each.text + "', which is the name of several";
+  }
+  if (!several.empty()) throw RequestError(ErrorCode::kRequestFailed, several);
+  if (composed.empty()) return std::nullopt;
+  const auto& id = std::get<author::EntityId>(composed.front().name);
+  composed.front().text = analysis.names().entity(id).name;
+  return composed.front();
+}
+
 }  // namespace
 
 Json definition(State& state, const Json& params) {
@@ -134,7 +152,8 @@ Json prepared_rename(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
   Analysis& analysis = document.analysis(state.environment());
   if (!analysis.written().complete()) return nullptr;
-  const auto name = name_at(analysis, offset_in(document, member(params, "position")));
+  const auto name = renamable_at(analysis, offset_in(document, member(params, "position")),
+                                 workspace_files(state, document));
   if (!name) return nullptr;
   return {{"range", range_json(document.lines(), name->where)}, {"placeholder", name->text}};
 }
@@ -146,7 +165,8 @@ Json rename(State& state, const Json& params) {
     throw RequestError(ErrorCode::kRequestFailed, "the document is not well-formed XML");
   const author::WorkspaceFiles files = files_of_workspace(state, document);
   add_robots(fresh.names(), files.models);
-  const auto name = name_at(fresh, offset_in(document, member(params, "position")));
+  const auto name =
+      renamable_at(fresh, offset_in(document, member(params, "position")), files.models);
   if (!name)
     throw RequestError(ErrorCode::kRequestFailed, "nothing here has a name that can be changed");
   const author::RenameContext context{fresh.names(), state.environment().resolver, fresh.sources()};

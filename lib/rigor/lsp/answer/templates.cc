@@ -15,15 +15,19 @@
 #include <rigor/lsp/protocol/uri.h>
 #include <rigor/report/rules/explain.h>
 #include <rigor/rules/example.h>
+#include <rigor/text/path.h>
 
 namespace rigor::lsp {
 namespace {
 
 /// Of the protocol's SymbolKind.
+constexpr int kFileSymbol = 1;
 constexpr int kFunctionSymbol = 12;
 
+/// Of a macro, or of a file that calls some outside of any.
 struct MacroSite {
   std::string name;
+  int kind = kFunctionSymbol;
   std::string uri;
   Json range;      // of the whole element
   Json selection;  // of the name
@@ -31,7 +35,7 @@ struct MacroSite {
 
 Json item_json(const MacroSite& site) {
   return {{"name", site.name},
-          {"kind", kFunctionSymbol},
+          {"kind", site.kind},
           {"uri", site.uri},
           {"range", site.range},
           {"selectionRange", site.selection}};
@@ -39,9 +43,9 @@ Json item_json(const MacroSite& site) {
 
 /// All macros and calls in the files that an open document's template reads.
 struct MacroCalls {
-  std::map<std::string, MacroSite> macros;
+  std::map<std::string, MacroSite> macros;  ///< and files, by their URIs
   struct Call {
-    std::string from;  ///< the macro around it; empty at the top of a file
+    std::string from;  ///< the macro around it; the file's URI at its top
     std::string to;
     Json range;
   };
@@ -58,15 +62,18 @@ MacroCalls macro_calls_of(State& state, Analysis& analysis) {
     const LineIndex lines(bytes, state.client.encoding);
     const xml::Document document = xml::parse_own(bytes, use.source);
     const auto names = author::template_names(document);
+    const std::string_view path = analysis.sources().path(use.source);
+    const std::string uri = uri_of_file(state, path);
+    const Json top = range_json(lines, 0, 0);
+    result.macros[uri] = {std::string(file_name(path)), kFileSymbol, uri, top, top};
     for (const author::TemplateName& name : names) {
       if (name.kind != author::TemplateNameKind::kMacro) continue;
       if (name.defines) {
-        result.macros[name.name] = {name.name,
-                                    uri_of_file(state, analysis.sources().path(use.source)),
+        result.macros[name.name] = {name.name, kFunctionSymbol, uri,
                                     range_json(lines, name.element), range_json(lines, name.where)};
         continue;
       }
-      std::string around;
+      std::string around = uri;
       for (const author::TemplateName& outer : names) {
         const bool holds =
             outer.element.begin < name.where.begin && name.where.end < outer.element.end;
