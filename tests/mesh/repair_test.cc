@@ -339,6 +339,22 @@ TEST(Repair, ManyTrianglesAtAVertexAreNoBurden) {
   EXPECT_EQ(worse_in(repaired.report.before, repaired.report.after), "");
 }
 
+/// Each asks who else is at its edges: all of them, and all at both ends.
+TEST(Repair, ManyTrianglesAtAnEdgeAreNoBurden) {
+  constexpr std::uint32_t kMany = 60'000;
+  TriangleMesh same;
+  same.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  same.triangles.assign(kMany, {0, 1, 2});
+  EXPECT_EQ(topology_of(repair(same, {}).mesh).duplicates, 0U);
+  TriangleMesh fan;
+  fan.positions = {{0, 0, 0}, {0, 0, 1}};
+  for (std::uint32_t i = 0; i < kMany; ++i) {
+    fan.positions.push_back({1 + 0.001 * i, 1, 0.5});
+    fan.triangles.push_back({0, 1, i + 2});
+  }
+  EXPECT_EQ(worse_in(topology_of(fan), topology_of(repair(fan, {}).mesh)), "");
+}
+
 std::vector<std::string> corpus_meshes() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(test::corpus())) {

@@ -74,8 +74,11 @@ EdgeFaces Workpiece::faces_at(std::uint32_t a, std::uint32_t b) const {
   EdgeFaces found;
   for (const std::uint32_t face : faces_at_[a]) {
     if (!has_corner(faces_[face], b)) continue;
-    if (found.count < found.faces.size()) found.faces[found.count] = face;
-    ++found.count;
+    if (found.count == found.faces.size()) {
+      ++found.count;
+      break;
+    }
+    found.faces[found.count++] = face;
   }
   return found;
 }

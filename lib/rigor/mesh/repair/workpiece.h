@@ -51,9 +51,10 @@ enum class Care : std::uint8_t {
 /// Whether there is more of any in `after` but slivers: a narrow gap can only be closed by them.
 bool worse(const DefectCounts& before, const DefectCounts& after, Care care = Care::kAll);
 
-/// The triangles at an edge: how many, and the first two of them.
+/// The triangles at an edge: how many, and the first two of them. Counting stops at the third: an edge may have
+/// hundreds of thousands, and each would ask.
 struct EdgeFaces {
-  std::uint32_t count = 0;
+  std::uint32_t count = 0;  ///< 3 for more
   std::array<std::uint32_t, 2> faces{};
 };
 
