@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include <rigor/text/disk.h>
+#include <rigor/text/write_all.h>
 
 namespace rigor {
 namespace {
@@ -48,15 +49,6 @@ std::string entry_head(const Digest& key, std::string_view bytes) {
   hasher.add(digest_bytes(key));
   hasher.add(bytes);
   return std::string(kEntryMagic).append(digest_bytes(hasher.digest()));
-}
-
-bool write_entry(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
 }
 
 /// A new file, never one that is there nor what a link leads to; -1 where there can be none.
@@ -145,7 +137,7 @@ void FolderStore::put(const Digest& key, std::string_view bytes) const {
   const std::string path = path_of(key);
   const int file = make_entry(path);
   if (file < 0) return;
-  const bool written = write_entry(file, entry);
+  const bool written = write_all(file, entry) == 0;
   const bool closed = ::close(file) == 0;
   if (!written || !closed) {
     ::unlink(path.c_str());

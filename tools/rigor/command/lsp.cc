@@ -28,7 +28,9 @@
 #include <rigor/lsp/protocol/framing.h>
 #include <rigor/lsp/session/message_queue.h>
 #include <rigor/lsp/session/session.h>
+#include <rigor/process/descriptor.h>
 #include <rigor/text/disk.h>
+#include <rigor/text/write_all.h>
 
 #include "command/command.h"
 #include "option/search.h"
@@ -36,17 +38,6 @@
 
 namespace rigor::tool {
 namespace {
-
-/// False when the other side is gone.
-bool send_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
 
 void read_messages(int descriptor, lsp::MessageQueue& queue) {
   lsp::FrameReader frames;
@@ -159,7 +150,9 @@ int serve(int in, int out, read::SearchPaths paths) {
   lsp::Session session(
       disk, std::move(paths),
       {.send =
-           [out](const lsp::Json& message) { send_all(out, lsp::framed(lsp::json_text(message))); },
+           [out](const lsp::Json& message) {
+             write_all(out, lsp::framed(lsp::json_text(message)));
+           },
        .is_cancelled = [&queue](const lsp::Json& id) { return queue.is_cancelled(id); },
        .is_superseded = [&queue](const std::string& uri) { return queue.is_superseded(uri); }});
   std::thread reader([in, &queue] { read_messages(in, queue); });
@@ -198,7 +191,8 @@ int accepted(std::uint16_t port) {
     throw UsageError("--socket " + std::to_string(port) + ": " +
                      std::generic_category().message(errno));
   };
-  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const process::Descriptor listening(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const int listener = listening.number();
   if (listener < 0) refuse();
   const int on = 1;
   ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
@@ -210,9 +204,11 @@ int accepted(std::uint16_t port) {
       ::listen(listener, 1) != 0) {
     refuse();
   }
-  const int connection = ::accept4(listener, nullptr, nullptr, SOCK_CLOEXEC);
+  int connection = -1;
+  do {
+    connection = ::accept4(listener, nullptr, nullptr, SOCK_CLOEXEC);
+  } while (connection < 0 && errno == EINTR);
   if (connection < 0) refuse();
-  ::close(listener);
   return connection;
 }
 

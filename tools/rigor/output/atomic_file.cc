@@ -17,6 +17,7 @@
 
 #include <rigor/process/descriptor.h>
 #include <rigor/text/path.h>
+#include <rigor/text/write_all.h>
 #include "command/command.h"
 
 namespace rigor::tool {
@@ -26,17 +27,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& path, int error) {
   throw UsageError(path + ": cannot be written: " + std::generic_category().message(error));
-}
-
-/// Zero, or the error's number.
-int write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
 }
 
 void write_directly(const std::string& path, std::string_view bytes) {

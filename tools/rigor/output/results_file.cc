@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <rigor/results/line.h>
+#include <rigor/text/write_all.h>
 
 #include "command/command.h"
 #include "output/atomic_file.h"
@@ -89,12 +90,7 @@ void ResultsFile::open() {
 
 void ResultsFile::add(std::size_t index, std::string_view line) {
   if (descriptor_.number() < 0) return;
-  while (!line.empty()) {
-    const ssize_t written = ::write(descriptor_.number(), line.data(), line.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(errno);
-    line.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (const int error = write_all(descriptor_.number(), line)) fail(error);
   order_.push_back(index);
 }
 

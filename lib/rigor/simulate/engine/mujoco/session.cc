@@ -11,6 +11,7 @@
 
 #include <rigor/simulate/engine/engine.h>
 #include <rigor/simulate/engine/mujoco/mujoco_engine.h>
+#include <rigor/text/write_all.h>
 
 namespace rigor::simulate {
 namespace {
@@ -29,15 +30,9 @@ class MemoryFile {
   explicit MemoryFile(const std::string& bytes)
       : number_(::memfd_create("scene.xml", MFD_CLOEXEC)) {
     if (number_ < 0) throw EngineError("there is no room for MuJoCo's model");
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-      const ssize_t wrote = ::write(number_, bytes.data() + done, bytes.size() - done);
-      if (wrote <= 0) {
-        ::close(number_);
-        throw EngineError("there is no room for MuJoCo's model");
-      }
-      done += static_cast<std::size_t>(wrote);
-    }
+    if (write_all(number_, bytes) == 0) return;
+    ::close(number_);
+    throw EngineError("there is no room for MuJoCo's model");
   }
   ~MemoryFile() { ::close(number_); }
   MemoryFile(const MemoryFile&) = delete;
