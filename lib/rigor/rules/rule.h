@@ -200,14 +200,6 @@ inline Check on_config(KindList<read::ConfigFactKind> kinds, CheckOf<read::Confi
 inline Check on_mjcf(KindList<read::MjcfFactKind> kinds, CheckOf<read::MjcfFact> check) {
   return FactCheck<read::MjcfFact, read::MjcfFactKind>{kinds, check};
 }
-inline Check on_conversion(KindList<convert::NoteKind> kinds, CheckOf<convert::Note> check) {
-  return FactCheck<convert::Note, convert::NoteKind>{kinds, check};
-}
-
-inline Check on_simulation(KindList<simulate::FactKind> kinds, CheckOf<simulate::Fact> check) {
-  return FactCheck<simulate::Fact, simulate::FactKind>{kinds, check};
-}
-
 inline Check on_suppression(KindList<SuppressionFactKind> kinds, CheckOf<SuppressionFact> check) {
   return FactCheck<SuppressionFact, SuppressionFactKind>{kinds, check};
 }

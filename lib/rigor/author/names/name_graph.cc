@@ -200,15 +200,6 @@ const std::vector<NameUse>& NameGraph::uses(const std::string& path) {
   return uses_[normal] = find_uses(path);
 }
 
-std::optional<NameUse> NameGraph::use_at(const std::string& path, std::uint32_t offset) {
-  std::optional<NameUse> best;
-  for (const NameUse& use : uses(path)) {
-    if (use.where.begin > offset || offset > use.where.end) continue;
-    if (!best || use.where.size() < best->where.size()) best = use;
-  }
-  return best;
-}
-
 std::optional<EntityId> NameGraph::find(const std::string& path, std::string_view name) {
   const FileNames& names = this->names(path);
   NameReference reference;

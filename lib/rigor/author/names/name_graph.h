@@ -57,9 +57,6 @@ class NameGraph {
   /// All names in a file whose meaning is known: definitions, and references to any file.
   const std::vector<NameUse>& uses(const std::string& path);
 
-  /// The use at a byte offset of the file; of several the shortest.
-  std::optional<NameUse> use_at(const std::string& path, std::uint32_t offset);
-
   /// The definition of that name, as a reference at the file's first model would find it: "hand::palm".
   std::optional<EntityId> find(const std::string& path, std::string_view name);
 

@@ -53,12 +53,6 @@ class MjcfEntities {
   std::map<Key, const model::Visual*> visuals_;
 };
 
-/// One MuJoCo joint: what of the robot it is, for what refers to it.
-struct MjcfDegree {
-  std::string name;
-  double home = 0;  ///< rad or m in the keyframe
-};
-
 inline constexpr std::string_view kMjcfAssetFolder = "assets/";
 
 struct MjcfDraft {

@@ -72,13 +72,6 @@ OpenDocument& State::document(const Json& params) {
   return *found->second;
 }
 
-OpenDocument* State::find_by_path(const std::string& path) {
-  for (const auto& [uri, document] : documents) {
-    if (normalize_path(document->path()) == normalize_path(path)) return document.get();
-  }
-  return nullptr;
-}
-
 const CheckedDocument& State::checked(OpenDocument& document) {
   LastCheck& last = checks[document.uri()];
   if (last.version == document.version()) return last.checked;

@@ -81,7 +81,6 @@ struct State {
 
   /// The open document that a request's `textDocument` names; a RequestError when none has that URI.
   OpenDocument& document(const Json& params);
-  OpenDocument* find_by_path(const std::string& path);
 
   /// Of the document's text as it is now: checked anew unless the last check was of it. A change of a large document
   /// is checked in its part first (project/part_check.h); `is_whole` of the last check says so.

@@ -12,8 +12,6 @@
 
 namespace rigor::rules::wheel_without_friction {
 
-using LinkId = model::Id<model::Link>;
-
 bool has_word(const std::string& name, std::string_view word) {
   const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
   return std::search(name.begin(), name.end(), word.begin(), word.end(), same) != name.end();
