@@ -325,6 +325,16 @@ TEST(BuildWorld, WhatIsMissingIsSaid) {
   EXPECT_EQ(still.places(FactKind::kNothingMoves), std::vector<std::string>{"m"});
 }
 
+TEST(BuildWorld, ConstraintsAreAsStiffAsTheMassAsks) {
+  const auto cfm_of = [](const std::string& mass) {
+    return built(replaced(model_of(link_text("a", kKilogram)), "<mass>1<", "<mass>" + mass + "<"))
+        .scene.solver.cfm;
+  };
+  EXPECT_EQ(cfm_of("1"), 1e-5);
+  EXPECT_EQ(cfm_of("100"), 1e-5);
+  EXPECT_NEAR(cfm_of("20000"), 5e-8, 1e-12);
+}
+
 // ---- shapes ----
 
 TEST(BuildShape, Primitives) {

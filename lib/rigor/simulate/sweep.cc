@@ -75,6 +75,7 @@ void vary(Scene& scene, const Case& one) {
     if (name == "gravity") set_gravity(scene, value);
     if (name == "time-step") scene.solver.step = value;
   }
+  scene.solver.cfm = std::min(scene.solver.cfm, softest_cfm(scene));
   scene.solver.seed = one.seed;
 }
 

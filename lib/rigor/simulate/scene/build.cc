@@ -258,6 +258,7 @@ void finish(SceneDraft& draft) {
   for (Fact& fact : check_scene(scene)) draft.facts.push_back(std::move(fact));
   if (is_blocked(draft.facts)) return;
   scene.size = size_of(scene);
+  scene.solver.cfm = std::min(scene.solver.cfm, softest_cfm(scene));
   set_down(draft);
 }
 

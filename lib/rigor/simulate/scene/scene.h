@@ -194,7 +194,7 @@ struct SolverSettings {
   int iterations = 200;
   double sor = 1.3;
   double erp = 0.2;
-  double cfm = 1e-5;  ///< (m/s)/N
+  double cfm = 1e-5;  ///< (m/s)/N; see softest_cfm
   /// m/s. SDF's own default of 100 shoots a robot that is a centimeter in the ground into the sky;
   /// Gazebo's engine has a limit of 0.01 a body instead.
   double max_correcting_velocity = 0.1;
@@ -227,5 +227,9 @@ bool is_named(std::string_view scoped, std::string_view written);
 
 /// Sum over what moves, kg.
 double moving_mass(const Scene& scene);
+
+/// (m/s)/N: the most that contacts and joints may give way by, so that what bears all of the scene gives way by a
+/// share of what gravity adds in a step. Of what weighs more than 100 kg that is below the profile's.
+double softest_cfm(const Scene& scene);
 
 }  // namespace rigor::simulate
