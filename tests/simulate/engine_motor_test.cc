@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -184,6 +185,141 @@ TEST_P(Motors, ASlowStrongMotorKeepsToItsSpeedUnderLoad) {
   engine.set_motor(0, 0, 0.013, simulate::kInfinity);
   for (int i = 0; i < 1000; ++i) engine.step(Forces::kAsked);
   EXPECT_NEAR(engine.state().axes[0].position, 0.013, 0.02 * 0.013);
+}
+
+/// A wheel of 0.05 kg and 0.033 m: a damper of 1 N·m·s/rad stops it within a thirtieth of a step.
+Scene damped_wheel() {
+  Scene scene = hand::scene();
+  scene.gravity = {};
+  add_body(scene, hand::drum_mass(0.05, 0.033, 0.015), {});
+  add_joint(scene, JointType::kRevolute, kWorld, 0, {}, {{0, 0, 1}});
+  scene.joints[0].axes[0].damping = 1;
+  scene.joints[0].axes[0].effort = 1;
+  return scene;
+}
+
+// What the motor gives is what the damper takes: 1 N·m at 1 rad/s.
+TEST_P(Motors, AMotorTurnsATightDamperAsFastAsItsEffortLasts) {
+  const Scene scene = damped_wheel();
+  for (const double told : {18.3, 0.5}) {
+    const auto engine_made = made_engine(scene, simulate::SolverSettings{});
+    Engine& engine = *engine_made;
+    engine.set_motor(0, 0, told, simulate::kInfinity);
+    for (int i = 0; i < 200; ++i) engine.step(Forces::kAsked);
+    EXPECT_NEAR(engine.state().axes[0].velocity, std::min(told, 1.0), 1e-3) << told;
+  }
+}
+
+/// A carriage of 10 g on rails upright, which carries a ball of 10 kg that hangs on a hinge below it.
+Scene sprung_carriage(double stiffness, double reference) {
+  Scene scene = hand::scene();
+  add_body(scene, hand::ball_mass(0.01, 0.05), {0, 0, 1});
+  add_body(scene, hand::ball_mass(10, 0.05), {0, 0, 0.5});
+  add_joint(scene, JointType::kPrismatic, kWorld, 0, {0, 0, 1}, {{0, 0, 1}});
+  add_joint(scene, JointType::kRevolute, 0, 1, {0, 0, 1}, {{0, 1, 0}});
+  scene.joints[0].axes[0].spring_stiffness = stiffness;
+  scene.joints[0].axes[0].spring_reference = reference;
+  scene.joints[0].axes[0].damping = 2000;
+  return scene;
+}
+
+// k h²/m of the carriage is 10: a force would be unstable, or a tenth of the spring. It sags by (m + M) g/k.
+TEST_P(Motors, ASpringIsAsStiffAsItIsWrittenHoweverLightWhatItMeets) {
+  if (is_mujoco()) GTEST_SKIP() << "MuJoCo has springs of its own";
+  for (const simulate::Solver solver : {simulate::Solver::kQuick, simulate::Solver::kDantzig}) {
+    simulate::SolverSettings settings;
+    settings.solver = solver;
+    for (const double reference : {0.0, 0.05}) {
+      const Scene scene = sprung_carriage(1e5, reference);
+      const auto engine_made = made_engine(scene, settings);
+      Engine& engine = *engine_made;
+      for (int i = 0; i < 2000; ++i) engine.step(Forces::kAsked);
+      const double sag = 10.01 * 9.8 / 1e5;
+      EXPECT_NEAR(engine.state().axes[0].position, reference - sag, 0.02 * sag) << reference;
+    }
+  }
+}
+
+// The spring of a hinge between two bodies, and that of a slider off their centers, turn nothing as a whole.
+TEST_P(Motors, AStiffSpringKeepsTheMomentum) {
+  if (is_mujoco()) GTEST_SKIP() << "MuJoCo has springs of its own";
+  for (const JointType type : {JointType::kPrismatic, JointType::kRevolute}) {
+    Scene scene = hand::scene();
+    scene.gravity = {};
+    add_body(scene, hand::ball_mass(0.01, 0.02), {0, 0, 0});
+    add_body(scene, hand::ball_mass(10, 0.2), {0.3, 0.5, 0});
+    add_joint(scene, type, 1, 0, {0, 0.2, 0},
+              {type == JointType::kPrismatic ? Vector3{1, 0, 0} : Vector3{0, 0, 1}});
+    scene.joints[0].axes[0].spring_stiffness = 1e6;
+    scene.joints[0].axes[0].spring_reference = 0.1;
+    scene.joints[0].axes[0].damping = 100;
+    const auto engine_made = made_engine(scene, exact());
+    Engine& engine = *engine_made;
+    for (int i = 0; i < 1000; ++i) engine.step(Forces::kAsked);
+    EXPECT_NEAR(engine.state().axes[0].position, 0.1, 1e-3);
+    Vector3 linear, angular;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const simulate::BodyState& body = engine.state().bodies[i];
+      const mass::MassProperties& m = scene.bodies[i].mass;
+      linear = linear + m.mass * body.v_WBcm;
+      angular = angular + m.about_com.izz * body.w_WB + m.mass * cross(body.p_WBcm, body.v_WBcm);
+    }
+    EXPECT_NEAR(model::length(linear), 0, 1e-6);
+    EXPECT_NEAR(model::length(angular), 0, 1e-6);
+  }
+}
+
+/// How far the lever (9.8 N·m down) has gone in two seconds of a motor, and what the motor gave in the end.
+struct Moved {
+  double by = 0;
+  double effort = 0;
+};
+Moved moved(Engine& engine, double told) {
+  engine.set_motor(0, 0, 0, simulate::kInfinity);
+  for (int i = 0; i < 500; ++i) engine.step(Forces::kAsked);
+  for (int i = 0; i < 1000; ++i) {
+    engine.set_motor(0, 0, told * std::min(1.0, i / 500.0), simulate::kInfinity);
+    engine.step(Forces::kAsked);
+  }
+  return {engine.state().axes[0].position, engine.state().axes[0].effort};
+}
+
+// A joint's friction helps a motor to hold, and is in its way when it drives. Up is negative.
+TEST_P(Motors, FrictionHoldsWithAMotorAndWorksAgainstIt) {
+  if (is_mujoco()) GTEST_SKIP() << "MuJoCo has one row for the motor";
+  struct Case {
+    double friction, effort, told, by;
+  };
+  const double sunk = 1;  // and more
+  for (const Case& c : {
+           Case{15, 0, 0, 0},           // friction alone bears it
+           Case{15, 5, 0, 0},           // 20 against 9.8
+           Case{6, 5, 0, 0},            // 11 against 9.8: neither alone
+           Case{4, 5, 0, sunk},         // 9 against 9.8
+           Case{15, 20, -0.1, 0},       // 9.8 + 15 to raise it
+           Case{15, 30, -0.1, -0.075},  // half a second of ramp, half of cruise
+           Case{15, 4, 0.1, 0},         // 9.8 + 4 do not push it down
+           Case{15, 8, 0.1, 0.075},     // and 9.8 + 8 do
+       }) {
+    for (const simulate::Solver solver : {simulate::Solver::kQuick, simulate::Solver::kDantzig}) {
+      Scene scene = lever();
+      scene.joints[0].axes[0].friction = c.friction;
+      scene.joints[0].axes[0].effort = c.effort;
+      simulate::SolverSettings settings;
+      settings.solver = solver;
+      const auto engine_made = made_engine(scene, settings);
+      const Moved seen = moved(*engine_made, c.told);
+      SCOPED_TRACE(std::to_string(c.friction) + " " + std::to_string(c.effort));
+      if (c.by == sunk) {
+        EXPECT_GT(seen.by, 0.1);
+      } else {
+        EXPECT_NEAR(seen.by, c.by, 0.003);
+      }
+      if (c.by < 0) {
+        EXPECT_NEAR(seen.effort, -(9.8 * std::cos(seen.by) + 15), 0.1);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -8,7 +8,13 @@
 //
 // Springs, efforts, and damping when the motor is taken, are forces. A force that grows with the speed or
 // the way is stable only while damping·h/inertia and stiffness·h²/inertia are below 2 and 4 (E. Hairer,
-// C. Lubich, G. Wanner, "Geometric Numerical Integration", 2006, §I.1); both are cut at 1.
+// C. Lubich, G. Wanner, "Geometric Numerical Integration", 2006, §I.1). Where one is above 1, spring and damper are a
+// row of their own (firm.cc).
+//
+// A motor and friction on one axis: two rows of the same axis would fight, and the iterative solver ends them
+// anywhere. They are one row, whose limit depends on which way the friction works. What stands is held by the sum of
+// both until the effort that this takes is one that the motor gives beyond the friction; what is driven has the
+// difference, and what is braked the sum.
 //
 // A motor at a stop: ODE adds all of its effort as a force, which shoots the joint away. So what presses
 // against a stop has no motor there, and what holds or leaves has no stop.
@@ -31,6 +37,9 @@ constexpr double kStopSlack = 1e-4;
 /// Share of its velocity limit by which a motor falls behind at most, under all of its effort: a slow one would
 /// stand still under the world's own constraint force mixing.
 constexpr double kMotorLag = 0.02;
+
+/// rad/s or m/s: a joint that is slower stands, and its friction holds it. A row of force mixing creeps by less.
+constexpr double kStands = 1e-3;
 
 /// Share of a coupling's error, of position and of speed, that a step takes away: the sum of the first
 /// and twice the second may be 4, of which half is kept since two coordinates share bodies.
@@ -169,6 +178,7 @@ void EngineJoints::set_motor(std::uint32_t joint, std::uint32_t axis, double vel
   Coordinate& c = at(joint, axis);
   c.command = Coordinate::Command::kMotor;
   c.told = velocity;
+  c.yields = false;
   c.most = std::min(effort, c.written.effort);
   const double lag = kMotorLag * c.written.velocity / c.most;
   c.give = lag > 0 ? std::min(cfm_, lag) : cfm_;
@@ -183,6 +193,7 @@ void EngineJoints::set_servo(std::uint32_t joint, std::uint32_t axis, const Serv
   c.command = Coordinate::Command::kMotor;
   c.told =
       firmness > 0 ? (servo.stiffness * servo.error + servo.damping * servo.rate) / firmness : 0;
+  c.yields = true;
   c.most = firmness > 0 ? std::min(servo.effort, c.written.effort) : 0;
   c.give = std::max(cfm_, firmness > 0 ? 1 / firmness : 0);
   turn_on(c, joint);
@@ -213,7 +224,8 @@ void EngineJoints::update(Coordinate& c) const {
     use_slot(c);
   }
   c.busy = c.command == Coordinate::Command::kEffort || axis.spring_stiffness > 0 ||
-           (axis.damping > 0 && (!c.damps || has_stops(axis))) || (motor && has_stops(axis)) ||
+           c.firm != nullptr || (axis.damping > 0 && (!c.damps || has_stops(axis))) ||
+           (motor && (has_stops(axis) || axis.friction > 0)) ||
            (c.joint == nullptr && (motor || axis.friction > 0));
 }
 
@@ -227,11 +239,15 @@ void EngineJoints::use_slot(Coordinate& c) const {
     const bool presses =
         stop.side != 0 && (locked || c.told * stop.side > 0 || stop.beyond > kStopSlack);
     c.drives = !presses;
-    set_ode_motor(c, c.told, presses ? 0 : c.most, c.give);
+    if (presses) {
+      set_ode_motor(c, c.told, 0, c.give);
+    } else {
+      drive_slot(c);
+    }
     if (has_stops(axis)) set_ode_stops(c, presses ? 0 : stop.side);
   } else if (axis.friction > 0) {
     set_ode_motor(c, 0, axis.friction, cfm_);
-  } else if (axis.damping > 0 && stop.side == 0) {
+  } else if (axis.damping > 0 && stop.side == 0 && c.firm == nullptr) {
     set_ode_motor(c, 0, dInfinity, 1 / axis.damping);
     c.damps = true;
   } else {
@@ -239,15 +255,45 @@ void EngineJoints::use_slot(Coordinate& c) const {
   }
 }
 
+/// The motor with the joint's friction.
+void EngineJoints::drive_slot(Coordinate& c) const {
+  const double friction = c.written.friction;
+  c.held = c.held && friction > 0;
+  if (!(friction > 0) || !(c.most < kInfinity)) return set_ode_motor(c, c.told, c.most, c.give);
+  if (c.yields) return set_ode_motor(c, c.told, c.most + friction, c.give);
+  const double way = c.told < 0 ? -1 : 1;
+  const double wanted = way * c.told;
+  const double speed = way * c.state.velocity;
+  const double beyond = c.most - friction;  // what the motor gives beyond it
+  const bool stands = std::abs(speed) <= kStands;
+  if (wanted <= kStands || speed < -kStands || (stands && c.held && way * c.row >= beyond)) {
+    c.held = true;
+    return set_ode_motor(c, 0, c.most + friction, c.give);
+  }
+  c.held = false;
+  if (speed > wanted || (beyond >= 0 && way * c.row < 0)) {
+    return set_ode_motor(c, c.told, c.most + friction, c.give);
+  }
+  set_ode_motor(c, beyond > 0 ? c.told : 0, std::abs(beyond), c.give);
+}
+
 void EngineJoints::apply(Coordinate& c) const {
   const SceneAxis& axis = c.written;
   const double q = c.state.position;
   const double v = c.state.velocity;
   const bool motor = c.command == Coordinate::Command::kMotor;
-  if (c.joint != nullptr && has_stops(axis)) use_slot(c);
-  const double stiffness = std::min(axis.spring_stiffness, c.inertia / (step_ * step_));
-  double effort = -stiffness * (q - axis.spring_reference);
-  if (!c.damps) effort -= std::min(axis.damping, c.inertia / step_) * v;
+  if (c.joint != nullptr && (has_stops(axis) || (motor && axis.friction > 0))) use_slot(c);
+  double effort = 0;
+  if (c.firm != nullptr) {
+    // Two stiff rows of one axis do not converge. At a stop nothing moves, and the spring is a force.
+    const double spring = -axis.spring_stiffness * (q - axis.spring_reference);
+    const bool presses = spring * stop_of(c).side > 0;
+    if (presses) effort = spring;
+    set_firm(c, step_, presses ? Row::kOff : Row::kOn);
+  } else {
+    effort = -axis.spring_stiffness * (q - axis.spring_reference);
+    if (!c.damps) effort -= axis.damping * v;
+  }
   if (c.joint == nullptr) {
     const double stopping = -v * c.inertia / step_;
     const double driving = c.told * c.inertia / step_ + stopping;
@@ -307,7 +353,8 @@ void EngineJoints::read(Coordinate& c) const {
 
 /// What a command put in during the last step. A motor's is what the joint did along its axis: its force
 /// and torque on its first body, about the anchor. Without the motor that is the stop's.
-double EngineJoints::effort_of(const Coordinate& c, std::size_t joint) const {
+double EngineJoints::effort_of(Coordinate& c, std::size_t joint) const {
+  c.row = 0;
   if (c.command == Coordinate::Command::kEffort) return c.told;
   const dJointFeedback* did = feedback_[joint].get();
   if (c.command != Coordinate::Command::kMotor || did == nullptr || !c.drives) return 0;
@@ -317,8 +364,13 @@ double EngineJoints::effort_of(const Coordinate& c, std::size_t joint) const {
   const Vector3 lever =
       child ? in_world(anchors.child, anchors.p_child) : in_world(anchors.parent, anchors.p_parent);
   const Vector3 torque = vector_of(did->t1) - cross(lever, force);
-  const double along = (child ? 1 : -1) * dot(c.axis_W, is_angle(c.kind) ? torque : force);
-  return std::clamp(along, -c.most, c.most);
+  c.row = (child ? 1 : -1) * dot(c.axis_W, is_angle(c.kind) ? torque : force);
+  if (!(c.most < kInfinity) || !(c.written.friction > 0)) return std::clamp(c.row, -c.most, c.most);
+  // The friction bears what it can of what stands, and works against what moves.
+  const double friction =
+      std::clamp(c.held || c.yields ? c.row : std::copysign(c.written.friction, -c.told),
+                 -c.written.friction, c.written.friction);
+  return std::clamp(c.row - friction, -c.most, c.most);
 }
 
 void EngineJoints::read(State& state) {

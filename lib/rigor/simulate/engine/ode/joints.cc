@@ -92,7 +92,10 @@ EngineJoints::EngineJoints(const Scene& scene, const SolverSettings& settings, c
   coordinates_.insert(coordinates_.end(), hidden_.begin(), hidden_.end());
   make_mimics(scene);
   for (Coupling& coupling : couplings_) couple(coupling);
-  for (Coordinate& c : coordinates_) update(c);
+  for (Coordinate& c : coordinates_) {
+    if (is_firm(c, step_)) c.firm = make_firm(ode.world(), c, step_);
+    update(c);
+  }
 }
 
 dJointID EngineJoints::attach(dJointID made, const SceneJoint& joint) const {
@@ -106,6 +109,7 @@ Coordinate EngineJoints::coordinate(Coordinate::Kind kind, dJointID made, const 
                .joint = made,
                .plus = ode_.body(joint.child),
                .minus = ode_.body(joint.parent),
+               .anchor_W = joint.anchor_W,
                .written = axis};
   // ODE counts from where the joint is made.
   c.written.lower -= axis.start;

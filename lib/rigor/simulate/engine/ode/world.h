@@ -157,18 +157,23 @@ struct Coordinate {
   dBodyID minus = nullptr;
   dBodyID carrier = nullptr;
   Vector3 axis;        ///< in the carrier
+  Vector3 anchor_W;    ///< of the joint, as it is made
   double inertia = 0;  ///< kg·m² or kg that a force meets at least; infinite when nothing gives way
   SceneAxis written;
 
   Command command = Command::kNone;
-  double told = 0;  ///< effort, or velocity
-  double most = 0;  ///< effort of the motor
-  double give = 0;  ///< of the motor: rad/s per N·m, or m/s per N, that it gives way by
-  bool busy = false;    ///< something is to be done before each step
-  bool damps = false;   ///< by the motor's slot
-  bool drives = false;  ///< a command has the motor's slot, and no stop is pressed against
-  int turns = 0;        ///< that the angle has gone round
-  Vector3 axis_W;       ///< now
+  double told = 0;          ///< effort, or velocity
+  double most = 0;          ///< effort of the motor
+  double give = 0;          ///< of the motor: rad/s per N·m, or m/s per N, that it gives way by
+  bool yields = false;      ///< the motor is a servo's, which gives way as a spring does
+  bool held = false;        ///< by its motor and its friction, in the last step
+  double row = 0;           ///< effort of the motor and of friction in the last step
+  dJointID firm = nullptr;  ///< a spring and damper that is too stiff for a force; else null
+  bool busy = false;        ///< something is to be done before each step
+  bool damps = false;       ///< by the motor's slot
+  bool drives = false;      ///< a command has the motor's slot, and no stop is pressed against
+  int turns = 0;            ///< that the angle has gone round
+  Vector3 axis_W;           ///< now
   AxisState state;
 };
 
@@ -225,9 +230,10 @@ class EngineJoints {
   void turn_on(Coordinate& c, std::uint32_t joint);
   void update(Coordinate& c) const;
   void use_slot(Coordinate& c) const;
+  void drive_slot(Coordinate& c) const;
   void apply(Coordinate& c) const;
   void apply(const Coupling& coupling) const;
-  double effort_of(const Coordinate& c, std::size_t joint) const;
+  double effort_of(Coordinate& c, std::size_t joint) const;
   void read(Coordinate& c) const;
   void read_anchors(State& state) const;
 
@@ -244,6 +250,16 @@ class EngineJoints {
 
 /// Whether it turns; else it slides.
 bool is_angle(Coordinate::Kind kind);
+
+/// Whether a spring or damper is too stiff for a force that is set before a step.
+bool is_firm(const Coordinate& c, double step);
+
+/// A row that a firm spring and damper are: `c.firm` is made of it.
+dJointID make_firm(dWorldID world, const Coordinate& c, double step);
+
+/// Before a step: whether there is the row, and where it is to pull to.
+enum class Row : std::uint8_t { kOff, kOn };
+void set_firm(const Coordinate& c, double step, Row row);
 
 /// Adds a force or torque to a coordinate: on `plus`, and the opposite on `minus`.
 void add_effort(const Coordinate& c, double effort);
