@@ -4,7 +4,10 @@
 #include <rigor/author/simulation.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +18,7 @@
 #include <rigor/simulate/pose/group_state.h>
 #include <rigor/simulate/pose/stand_pose.h>
 #include <rigor/simulate/scene/input.h>
+#include <rigor/simulate/unpowered.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::author {
@@ -173,6 +177,11 @@ PreparedModel Simulator::prepare(const read::Loaded& loaded,
   scene.solver.library = options_.mujoco;
   if (model.made.blocked() || scene.bodies.empty()) return model;
   model.wheels = simulate::find_wheels(scene, options_.plan.wheels);
+  const std::vector<std::uint32_t> unpowered = simulate::unpowered_joints(scene, model.wheels);
+  if (!unpowered.empty()) {
+    model.remarks.push_back(simulate::about_unpowered(scene, unpowered));
+    scene = simulate::powered(std::move(scene), unpowered);
+  }
   if (positions.empty()) take_stand_pose(loaded, model);
   model.causes = simulate::causes_in(scene, files.input(), model.wheels);
   advise_inertias(loaded, model.causes);
@@ -254,6 +263,8 @@ void Simulator::run(const std::vector<SimulationCase>& cases,
     simulate::Planned planned = planned_in(result.scene, model);
     result.left_out = std::move(planned.left_out);
     result.notes = std::move(planned.notes);
+    result.remarks = model.remarks;
+    result.remarks.insert(result.remarks.end(), planned.facts.begin(), planned.facts.end());
     if (!model.note.empty()) result.notes.insert(result.notes.begin(), model.note);
     result.problems = std::move(planned.problems);
     tasks.push_back({result.scene, model.causes, std::move(planned.scenarios), model.wheels,
@@ -311,8 +322,15 @@ Diagnostics Simulator::told(const SimulationCase& one, const Facts& facts) const
 }
 
 void Simulator::conclude(const SimulationCase& one, SimulatedModel& result) const {
+  if (!result.remarks.empty()) {
+    simulate::Verdict& verdict = result.simulation.verdict;
+    verdict = simulate::worse(verdict, simulate::Verdict::kWarn);
+  }
+  Facts shown = facts_of_all(result.simulation.runs);
+  name_skipped_includes(one.model->loaded.root, one.model->made.facts, shown);
   result.diagnostics = told(one, one.model->made.facts);
-  result.diagnostics.take(told(one, facts_of_all(result.simulation.runs)));
+  result.diagnostics.take(told(one, result.remarks));
+  result.diagnostics.take(told(one, shown));
   // What the engine cannot take was not simulated: no comment makes that well.
   const auto& document = one.model->loaded.file->document;
   if (document && !result.blocked) {

@@ -60,6 +60,7 @@ struct PreparedModel {
   simulate::DriveTrain wheels;
   std::string note;            ///< of the pose that its legs begin in, where one was chosen for it
   rules::Selection selection;  ///< which rules say what its runs show
+  simulate::Facts remarks = {};  ///< what is to be known of each of its runs: no motor holds its joints
 };
 
 struct SimulationCase {
@@ -75,6 +76,7 @@ struct SimulatedModel {
   simulate::Simulation simulation;
   std::vector<std::string> left_out;            ///< tests that make no sense for the model, and why
   std::vector<std::string> notes;               ///< what was chosen for the user, and why
+  simulate::Facts remarks;                      ///< how it was judged, where that is a warning
   std::vector<simulate::PlanProblem> problems;  ///< names of the plan that are nothing in the model
   bool blocked = false;                         ///< it could not be simulated: the findings say why
   Diagnostics diagnostics;

@@ -79,7 +79,11 @@ enum class FactKind : std::uint8_t {
   kSeedSensitive,
   kSolverDiffers,
   kEnginesDiffer,  ///< `name` says in what; `help`, what explains it
-  kAssertion,      ///< of a scenario; `name` is the assertion's
+  kNoMotor,        ///< of a model: no motor holds its joints, which `name` lists; `value`: how many
+  kHeldUp,         ///< it does not stand by itself, and was judged with its base held
+  /// Wheels that cannot drive: `name`: which and why, in words; `value`: m above the ground, or zero.
+  kWheelsMiss,
+  kAssertion,  ///< of a scenario; `name` is the assertion's
   // Why, found in the model (simulate/advice/advice.h). They go along with what a run shows.
   kCauseInertia,         ///< `value`: times the moment of the link's shapes; `name`: which moment
   kCauseDefaultInertia,  ///< nothing is written: 1 kg and the identity; `value` and `name` as above

@@ -74,8 +74,11 @@ class JointLoads {
   /// against gravity, to start and stop, against friction and damping.
   double sweep_effort(const SceneJoint& joint, const SweepMotion& motion) const;
 
- private:
+  /// N·m (of a slider N): with which gravity moves the joint on, where it is `moved` (rad, m) from the start and all
+  /// else is as there.
   double gravity_effort(const SceneJoint& joint, double moved) const;
+
+ private:
   void find_feet();
 
   const Scene& scene_;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <rigor/config/scenario.h>
+#include <rigor/simulate/fact.h>
 #include <rigor/simulate/scenario.h>
 #include <rigor/simulate/scene/scene.h>
 #include <rigor/simulate/wheels.h>
@@ -42,6 +43,7 @@ struct Planned {
   std::vector<Scenario> scenarios;
   std::vector<std::string> left_out;  ///< tests that make no sense for the scene, and why
   std::vector<std::string> notes;  ///< what was chosen for the user: of whose base is held, and why
+  Facts facts;  ///< what of these is to be a finding: a base that is held though nothing says so
   std::vector<PlanProblem> problems;  ///< the invocation is wrong
 };
 

@@ -60,6 +60,10 @@ std::span<const Row> joint_rows() {
       {.rule = {"simulate-joint-overloaded", FactKind::kJointOverloaded, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
+             if (fact.name == "effort limit of 0")
+               return "has an effort limit of 0: no motor turns its wheel";
+             if (fact.name == "velocity limit of 0")
+               return "has a velocity limit of 0: its wheel does not turn";
              if (fact.name == "drive.reached")
                return "rolls its wheel by {value_percent:.3g} % of the command, the least of all "
                       "wheels (at least {limit_percent:.3g} % is expected)";
@@ -76,6 +80,18 @@ std::span<const Row> joint_rows() {
        .why = "The joint follows its commands late or not at all.",
        .what_to_do =
            "Raise `<effort>` to what the actuator can give, or make what it carries lighter."},
+      {.rule = {"simulate-no-motor", FactKind::kNoMotor, Severity::kWarning},
+       .message =
+           [](const simulate::Fact& fact) {
+             return fact.value > 1 ? "no motor holds {name}: their effort limits are 0"
+                                   : "no motor holds {name}: its effort limit is 0";
+           },
+       .summary = "the effort limits of all joints are 0",
+       .why =
+           "Exporters write an effort of 0 for \"not known\"; simulators and controllers take it "
+           "for a motor that gives nothing, and what the joints carry drops. The model was "
+           "simulated as if motors without a limit held them.",
+       .what_to_do = "Write the effort of each joint's actuator, and its velocity."},
       {.rule = {"simulate-does-not-hold", FactKind::kDoesNotHold, Severity::kError},
        .message = "is {value:.3g} {unit} off the position that it is to hold (limit {limit:.3g})",
        .summary = "the joints do not hold their position",

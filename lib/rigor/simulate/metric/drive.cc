@@ -87,7 +87,7 @@ Vector3 forward_at(const MetricSheet& sheet, const PhaseMeasures& phase) {
 }
 
 /// The joint of the wheel that rolled least.
-Fact about_laziest(const MetricSheet& sheet, const PhaseMeasures& phase) {
+std::uint32_t laziest_joint(const MetricSheet& sheet, const PhaseMeasures& phase) {
   std::uint32_t joint = kWorld;
   double least = kInfinity;
   for (const auto* side : {&sheet.wheels.left, &sheet.wheels.right}) {
@@ -99,7 +99,22 @@ Fact about_laziest(const MetricSheet& sheet, const PhaseMeasures& phase) {
       }
     }
   }
-  return about_joint(sheet.scene, joint);
+  return joint;
+}
+
+Fact about_laziest(const MetricSheet& sheet, const PhaseMeasures& phase) {
+  return about_joint(sheet.scene, laziest_joint(sheet, phase));
+}
+
+/// A limit of zero is no limit that is too low: nothing turns the wheel.
+void blame_zero_limit(const Scene& scene, std::uint32_t joint, Metric& reached) {
+  if (!reached.fact || joint == kWorld) return;
+  const SceneAxis& axis = scene.joints[joint].axes[0];
+  if (axis.effort > 0 && axis.velocity > 0) return;
+  const std::string which = axis.effort > 0 ? "velocity" : "effort";
+  reached.fact->name = which + " limit of 0";
+  if (!axis.limit_where.nowhere()) reached.fact->where = axis.limit_where;
+  reached.fact->help = "set the `" + which + "` of its limit to what the motor can do";
 }
 
 /// The way ahead, or of the wheel that turns most against it, as shares of what the wheels roll.
@@ -195,7 +210,10 @@ void add_drive_metrics(MetricSheet& sheet) {
   const double aside = dot(way, cross({0, 0, 1}, forward));
   const double wheels = rolled_any_way(sheet, *drive);
   const double told = told_to_roll(sheet);
-  if (told > 0) sheet.add("drive.reached", wheels / told, about_laziest(sheet, *drive));
+  if (told > 0) {
+    sheet.add("drive.reached", wheels / told, about_laziest(sheet, *drive));
+    blame_zero_limit(sheet.scene, laziest_joint(sheet, *drive), sheet.metrics.back());
+  }
   if (wheels > kMinWay) {
     add_direction(sheet, *drive, ahead, wheels);
     sheet.add("drive.ratio", std::abs(std::hypot(ahead, aside) / wheels - 1), about);
