@@ -71,7 +71,7 @@ TEST(Build, CollisionsWithoutANameAreCounted) {
 }
 
 TEST(BuildWorld, IsTheSameWithoutWhatWouldHaveToBeDownloaded) {
-  const std::string uri = "https://fuel.gazebosim.org/1.0/openrobotics/models/sun";
+  const std::string uri = "https://fuel.gazebosim.org/1.0/openrobotics/models/tree";
   const std::string include = "<include><uri>" + uri + "</uri></include>";
   const std::string model =
       "<model name=\"m\">" + link_text("a", kKilogram + box_of_link()) + "</model>";
@@ -301,6 +301,30 @@ TEST(BuildWorld, GazebosSettings) {
   EXPECT_EQ(b.scene.solver.max_correcting_velocity, 0.01);
   EXPECT_EQ(built(text).scene.solver.max_correcting_velocity, 0.1);
   EXPECT_EQ(built(replaced(text, "100", "0.05")).scene.solver.max_correcting_velocity, 0.05);
+}
+
+/// A light has no effect, and the ground of Gazebo's database is a plane.
+TEST(BuildWorld, SunAndGroundPlaneOfTheDatabaseNeedNotBeInstalled) {
+  const std::string model =
+      "<model name=\"m\">" + link_text("a", kKilogram + box_of_link()) + "</model>";
+  for (const auto& [sun, ground] : std::vector<std::pair<std::string, std::string>>{
+           {"model://sun", "model://ground_plane"},
+           {"https://fuel.gazebosim.org/1.0/OpenRobotics/models/Sun",
+            "https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane"}}) {
+    const Built b = built("<sdf version=\"1.6\"><world name=\"w\"><include><uri>" + sun +
+                          "</uri></include><include><uri>" + ground +
+                          "</uri><pose>0 0 2 0 0 0</pose></include>" + model + "</world></sdf>");
+    EXPECT_FALSE(b.blocked);
+    EXPECT_TRUE(b.places(FactKind::kElementIgnored).empty());
+    ASSERT_EQ(b.scene.shapes.size(), 2U);
+    EXPECT_TRUE(std::holds_alternative<simulate::HalfSpace>(b.scene.shapes[0].kind));
+    EXPECT_EQ(b.scene.shapes[0].body, simulate::kWorld);
+    EXPECT_EQ(b.scene.shapes[0].X_BS.translation.z, 2);
+  }
+  // A model lacks what it includes, whatever its name.
+  EXPECT_TRUE(built(model_of("<include><uri>model://ground_plane</uri></include>" +
+                             link_text("a", kKilogram + box_of_link())))
+                  .blocked);
 }
 
 TEST(BuildWorld, OneModelOfSeveral) {

@@ -141,6 +141,26 @@ std::optional<simulate::Fact> not_well_formed(const read::Loaded& loaded) {
   return fact;
 }
 
+/// What falls may have had its ground in a model that is not installed.
+void name_skipped_includes(const model::Root& root, const Facts& as_read, Facts& shown) {
+  std::string missing;
+  for (const model::Include& include : root.includes) {
+    const auto is_skipped = [&](const simulate::Fact& fact) {
+      return fact.kind == simulate::FactKind::kElementIgnored && fact.name == "include" &&
+             fact.where == include.uri.span;
+    };
+    if (std::none_of(as_read.begin(), as_read.end(), is_skipped)) continue;
+    missing += (missing.empty() ? "" : ", ") + include.uri.value;
+  }
+  if (missing.empty()) return;
+  for (simulate::Fact& fact : shown) {
+    const bool falls = fact.kind == simulate::FactKind::kFalls ||
+                       (fact.kind == simulate::FactKind::kSpawnedAbove && std::isinf(fact.value));
+    if (falls)
+      fact.help = "what would be below it may be in an include that was skipped: " + missing;
+  }
+}
+
 bool is_listed(const Diagnostic& diagnostic, const std::vector<Diagnostic>& list) {
   return std::any_of(list.begin(), list.end(), [&](const Diagnostic& known) {
     return known.rule == diagnostic.rule && known.where == diagnostic.where &&

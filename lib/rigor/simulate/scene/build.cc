@@ -112,6 +112,29 @@ bool is_remote(std::string_view uri) {
   return uri.starts_with("https://") || uri.starts_with("http://");
 }
 
+/// What the worlds of Gazebo's tutorials include from its own database, in the names of Gazebo Classic and of Fuel.
+enum class DatabaseModel : std::uint8_t { kOther, kSun, kGroundPlane };
+
+DatabaseModel database_model(std::string_view uri) {
+  if (!is_remote(uri) && !uri.starts_with("model://")) return DatabaseModel::kOther;
+  while (uri.ends_with('/')) uri.remove_suffix(1);
+  const std::string_view name = uri.substr(uri.rfind('/') + 1);
+  if (name == "sun" || name == "Sun") return DatabaseModel::kSun;
+  if (name == "ground_plane" || name == "Ground Plane" || name == "Ground%20Plane") {
+    return DatabaseModel::kGroundPlane;
+  }
+  return DatabaseModel::kOther;
+}
+
+/// As in the database: level, with a friction that leaves that of what stands on it to count.
+void add_ground_plane(SceneDraft& draft, const model::Include& include) {
+  SceneShape ground{.name = "ground_plane", .kind = HalfSpace{}, .extent = kInfinity};
+  ground.X_BS = include.pose.pose.value;
+  ground.surface.mu = 100;
+  ground.surface.mu2 = 50;
+  draft.scene.shapes.push_back(std::move(ground));
+}
+
 /// A world without a model that would have to be downloaded is still that world; a model without a part
 /// is another model.
 void check_includes(SceneDraft& draft) {
@@ -121,6 +144,13 @@ void check_includes(SceneDraft& draft) {
         include.model ? draft.takes(include.model)
                       : include.world && include.world.value == 0 && draft.options.model.empty();
     if (!here || include.followed) continue;
+    const DatabaseModel known =
+        include.world ? database_model(include.uri.value) : DatabaseModel::kOther;
+    if (known == DatabaseModel::kSun) continue;  // a light
+    if (known == DatabaseModel::kGroundPlane) {
+      add_ground_plane(draft, include);
+      continue;
+    }
     if (include.world && is_remote(include.uri.value)) {
       draft.facts.push_back({.kind = FactKind::kElementIgnored,
                              .where = include.uri.span,
