@@ -86,6 +86,29 @@ TEST(BuildWorld, IsTheSameWithoutWhatWouldHaveToBeDownloaded) {
   EXPECT_EQ(part.places(FactKind::kUnreadable), std::vector<std::string>{uri});
 }
 
+TEST(BuildBody, ARootWithoutMassIsTakenWhereItIsHeld) {
+  const std::string cart =
+      "<robot name=\"cart\"><link name=\"rail\"/><link name=\"cart\"><inertial><mass value=\"1\"/>"
+      "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>"
+      "<joint name=\"x\" type=\"prismatic\"><parent link=\"rail\"/><child link=\"cart\"/>"
+      "<limit effort=\"1\" velocity=\"1\" lower=\"-1\" upper=\"1\"/></joint></robot>";
+  const Built free = built(cart);
+  EXPECT_TRUE(free.blocked);
+  ASSERT_EQ(free.facts.size(), 1U);
+  EXPECT_NE(free.facts[0].help.find("--base fixed"), std::string::npos);
+  const Built held = built(cart, {}, {.root = simulate::SceneOptions::Root::kHeld});
+  EXPECT_FALSE(held.blocked);
+  EXPECT_EQ(held.scene.bodies.size(), 2U);
+  // What moves needs a mass all the same.
+  const std::string link = "<link name=\"rail\"/>";
+  const Built tip =
+      built(replaced(replaced(cart, link, ""), "</robot>",
+                     link + "<link name=\"tip\"/><joint name=\"y\" type=\"continuous\">"
+                            "<parent link=\"cart\"/><child link=\"tip\"/></joint></robot>"),
+            {}, {.root = simulate::SceneOptions::Root::kHeld});
+  EXPECT_TRUE(tip.blocked);
+}
+
 /// By hand: two point-like kilograms a meter apart about their middle: 0.1 + 2 · 0.5² about y and z.
 TEST(BuildBody, FixedJointsMerge) {
   const Built b = built(

@@ -38,6 +38,7 @@ bool is_cause(const simulate::Fact& fact) { return fact.kind >= simulate::FactKi
 
 bool is_about_inertia(const simulate::Fact& cause) {
   return cause.kind == simulate::FactKind::kCauseInertia ||
+         cause.kind == simulate::FactKind::kCauseInertiaNotWritten ||
          cause.kind == simulate::FactKind::kCauseDefaultInertia;
 }
 
@@ -185,9 +186,12 @@ PreparedModel Simulator::prepare(const read::Loaded& loaded,
   }
   const simulate::SceneFiles files(loaded, workspace_, environment_.resolver, environment_.workers,
                                    positions);
-  PreparedModel model{loaded, simulate::build_scene(files.input(), options_.scene),
-                      {},     {},
-                      {},     std::move(selection)};
+  using Root = simulate::SceneOptions::Root;
+  const simulate::BaseOption base = options_.plan.base;
+  const bool holds = base == simulate::BaseOption::kFixed || base == simulate::BaseOption::kHang;
+  simulate::SceneOptions how = options_.scene;
+  how.root = holds ? Root::kHeld : Root::kFree;
+  PreparedModel model{loaded, simulate::build_scene(files.input(), how), {}, {}, {}, std::move(selection)};
   simulate::Scene& scene = model.made.scene;
   const SolverChoice& solver = options_.solver;
   if (solver.step) scene.solver.step = *solver.step;

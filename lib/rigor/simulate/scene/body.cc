@@ -275,13 +275,36 @@ class BodyBuilder {
     if (!(body.mass.mass > 0)) {
       const model::Link& first = root_[scene_.links[body.links.front()].id];
       if (first.inertial.mass.value < 0) return;  // is said of the link
+      const bool is_root = !is_carried(body);
+      if (is_root && draft_.options.root == SceneOptions::Root::kHeld) {
+        body.mass = {1, {}, {1, 0, 0, 1, 0, 1}};  // it does not move: nobody asks for it
+        return;
+      }
       const Span where = or_name(first.inertial.mass.span, first);
       draft_.say(FactKind::kNoMass, where, first, {}, body.mass.mass);
+      if (is_root) {
+        draft_.facts.back().help =
+            "give the link a mass; of what is bolted down in use `--base fixed` does without one";
+      }
       return;
     }
     const double least = kMinGyration * kMinGyration * body.mass.mass;
     if (!verdict.mass_finite || !verdict.tensor_finite) return;  // is said of its link
     if (impossible(verdict) || verdict.principal[0] <= least) say_impossible(body, verdict, least);
+  }
+
+  /// Whether a joint carries it that is not within the body.
+  bool is_carried(const SceneBody& body) const {
+    const auto holds = [&](Id<model::Link> link) {
+      return std::any_of(body.links.begin(), body.links.end(),
+                         [&](std::uint32_t index) { return scene_.links[index].id == link; });
+    };
+    for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
+      const model::Frames::Ends& ends = draft_.input.frames.ends({i});
+      const bool inside = ends.parent && holds(ends.parent);
+      if (ends.child && holds(ends.child) && !inside) return true;
+    }
+    return false;
   }
 
   /// Of the first link that has it on its own; else of the heaviest.

@@ -66,6 +66,8 @@ struct SceneOptions {
   MeshAs meshes = MeshAs::kAuto;
   /// Gazebo's own solver settings instead of rigor's (docs/simulate.md).
   enum class Profile : std::uint8_t { kRigor, kGazebo } profile = Profile::kRigor;
+  /// Whether a test may move a body that no joint carries. One that is held needs no mass.
+  enum class Root : std::uint8_t { kFree, kHeld } root = Root::kFree;
 };
 
 struct SceneResult {
