@@ -129,6 +129,24 @@ TEST(Mount, APlanSaysWhichBasesItHolds) {
   EXPECT_TRUE(free.notes.empty());
 }
 
+/// A lamp with one joint a pole tips over; an arm with some in a row is bolted down.
+TEST(Mount, WhatTipsOverAndIsNoArmIsAFinding) {
+  Scene scene = lamp(kSameSide);
+  const auto found = [&](std::vector<std::string> tests) {
+    const Planned planned = scenarios_of({.tests = std::move(tests)}, scene, {});
+    return planned.facts.size() == 1 && planned.facts[0].kind == FactKind::kHeldUp &&
+           !planned.facts[0].severe;
+  };
+  EXPECT_TRUE(found({"settle", "hold"}));
+  EXPECT_TRUE(found({"push"}));  // which is left out
+  EXPECT_FALSE(found({"joint-sweep"}));
+  hand::add_body(scene, hand::ball_mass(1, 0.05), {0.6, 0, 0.4});
+  hand::add_joint(scene, model::JointType::kRevolute, 2, 3, {0.6, 0, 0.3}, {{0, 1, 0}});
+  EXPECT_FALSE(found({"settle", "hold"}));
+  scene = lamp(kOtherSide);
+  EXPECT_FALSE(found({"settle", "hold"}));  // it stands
+}
+
 double begin_of(const Scenario& sweep, const std::string& joint) {
   for (const Phase& phase : sweep.phases) {
     if (phase.name == "sweep " + joint) return phase.begin;

@@ -241,5 +241,46 @@ TEST(Footprint, OfALineHasNoArea) {
   EXPECT_LT(footprint({{0, 0, 0}, {1, 0, 0}, {2, 1e-6, 0}, {3, 0, 0}}).size(), 3U);
 }
 
+std::vector<std::string> idle_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const IdleWheel& wheel : idle_wheels(scene, find_wheels(scene, {}))) {
+    names.push_back(scene.joints[wheel.joint].name);
+  }
+  return names;
+}
+
+const std::vector<std::string> kBothWheels{"my_robot::left_wheel_hinge",
+                                           "my_robot::right_wheel_hinge"};
+
+/// 40 mm is nearly half a radius: such are not found as wheels, and the robot slides on its belly.
+TEST(Wheels, ThoseAboveTheGroundAreIdle) {
+  EXPECT_TRUE(idle_names(hand::tutorial_robot()).empty());
+  for (const double above : {0.01, 0.04}) {
+    Scene scene = hand::tutorial_robot();
+    for (const std::uint32_t body : {1U, 2U}) scene.bodies[body].X_WB.translation.z += above;
+    for (SceneJoint& joint : scene.joints) joint.anchor_W.z += above;
+    EXPECT_EQ(idle_names(scene), kBothWheels) << above;
+    const std::vector<IdleWheel> idle = idle_wheels(scene, find_wheels(scene, {}));
+    EXPECT_NEAR(idle[0].above, above, 1e-9);
+    EXPECT_EQ(idle[0].travel, kInfinity);
+  }
+}
+
+/// A hinge of ±π stops what should roll on.
+TEST(Wheels, ThoseOfAJointWithLimitsAreIdle) {
+  Scene scene = hand::tutorial_robot();
+  for (SceneJoint& joint : scene.joints) {
+    joint.axes[0].lower = -3.14;
+    joint.axes[0].upper = 3.14;
+  }
+  EXPECT_EQ(idle_names(scene), kBothWheels);
+  const std::vector<IdleWheel> idle = idle_wheels(scene, find_wheels(scene, {}));
+  EXPECT_EQ(idle[0].above, 0);
+  EXPECT_NEAR(idle[0].travel, 6.28, 1e-9);
+  // What turns by less is a flap or a finger.
+  for (SceneJoint& joint : scene.joints) joint.axes[0].lower = 2;
+  EXPECT_TRUE(idle_names(scene).empty());
+}
+
 }  // namespace
 }  // namespace rigor

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include <rigor/simulate/footprint.h>
@@ -18,6 +19,9 @@ namespace {
 
 /// A slope of 1 in 20 throws it over: that is balancing, as a biped on two points does, and not standing.
 constexpr double kStandAngle = 0.05;  // rad
+
+/// A boom, a drawer and a lid are one joint.
+constexpr std::size_t kJointsOfArm = 2;
 
 constexpr const char* kAboutJoints = "the test is about the joints";
 
@@ -62,6 +66,44 @@ bool stands_on_its_base(const Scene& scene, std::uint32_t model) {
   return true;
 }
 
+/// How many joints in a row motors move, from the base to the farthest link.
+std::size_t longest_chain(const Scene& scene, std::uint32_t base) {
+  const CarriedBodies carried(scene);
+  std::vector<std::size_t> joints(scene.bodies.size());
+  const std::vector<std::uint32_t> outward = carried.by(base);  // parents come before children
+  std::size_t longest = 0;
+  for (const std::uint32_t body : outward) {
+    for (const std::uint32_t j : carried.joints_on(body)) {
+      const SceneJoint& joint = scene.joints[j];
+      if (joints[joint.child] > 0) continue;
+      joints[joint.child] = joints[body] + (can_be_commanded(joint) ? 1 : 0);
+      longest = std::max(longest, joints[joint.child]);
+    }
+  }
+  return longest;
+}
+
+/// Whether one joint alone moves all that the base carries.
+bool has_one_branch(const Scene& scene, std::uint32_t base) {
+  return std::count_if(scene.joints.begin(), scene.joints.end(), [&](const SceneJoint& joint) {
+           return joint.parent == base && can_be_commanded(joint);
+         }) == 1;
+}
+
+/// An arm is several joints in a row, the only ones of its base; or it stands on its base alone, which would stand
+/// without what it carries. What stands on nothing that has an area is used in a frame or on a flange. Where there are
+/// feet, it falls for want of balance.
+bool is_made_to_be_held(const Scene& scene, std::uint32_t model, double slack) {
+  const std::vector<Vector3> corners = footprint_at_start(scene, model, slack);
+  if (corners.size() < 3 || tip_angle(scene, model, corners).angle > 0) return true;
+  const std::uint32_t index = scene.models[model].base;
+  const SceneBody& base = scene.bodies[index];
+  if (longest_chain(scene, index) < kJointsOfArm) return false;
+  return has_one_branch(scene, index) ||
+         (stands_on_its_base(scene, model) &&
+          margin_in(corners, transform(base.X_WB, base.mass.com)).distance > 0);
+}
+
 bool has_any_shape(const Scene& scene, std::uint32_t model) {
   return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
     return shape.body < scene.bodies.size() && scene.bodies[shape.body].model == model;
@@ -89,20 +131,22 @@ MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveT
   if (!scene.alone || !wheels.empty()) return {};
   const std::uint32_t model = free_model(scene);
   // An arm that is bolted down already swings past the edge of what it is bolted to.
-  if (model == kWorld && test == "joint-sweep") return {Base::kHang, kAboutJoints};
+  if (model == kWorld && test == "joint-sweep") return {Base::kHang, kAboutJoints, false};
   if (model == kWorld && reaches_below_ground(scene)) {
-    return {Base::kHang, "it is fixed to the world and reaches below its base"};
+    return {Base::kHang, "it is fixed to the world and reaches below its base", false};
   }
   if (model == kWorld || !has_joint_to_move(scene, model)) return {};
   const bool drives = test == "drive" || test == "turn" || test == "brake";
   if (drives) return {};  // without wheels there is another reason to leave it out
-  if (test == "joint-sweep") return {Base::kHang, kAboutJoints};
+  if (test == "joint-sweep") return {Base::kHang, kAboutJoints, false};
   // What nothing can hold falls, and is to be said so.
   if (test == "settle" && !has_any_shape(scene, model)) return {};
   // Feet may differ in height by a little, and find the ground. A rigid base rocks.
   const bool rigid = stands_on_its_base(scene, model);
-  if (stands_on(scene, model, rigid ? kFootSlack : feet_slack(scene))) return {};
-  return {Base::kHang, "its center of mass is not above what it stands on"};
+  const double slack = rigid ? kFootSlack : feet_slack(scene);
+  if (stands_on(scene, model, slack)) return {};
+  return {Base::kHang, "its center of mass is not above what it stands on",
+          !is_made_to_be_held(scene, model, slack)};
 }
 
 Scene mounted(const Scene& scene, Base base) {

@@ -27,6 +27,7 @@ inline constexpr double kFeetSlack = 0.01;
 struct MountChoice {
   Base base = Base::kFree;
   std::string why;  ///< of a base that is held: "its center of mass is not above what it stands on"
+  bool tips_over = false;  ///< it is nothing that is bolted down in use, and falls when it is not
 };
 
 /// What `--base auto` means in a test. Free: a world's models, what rolls, what no joint moves, and what

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include <rigor/simulate/metric/parts.h>
 #include <rigor/simulate/mount.h>
 #include <rigor/simulate/test/tests.h>
 
@@ -200,8 +201,8 @@ bool is_better_solved_exactly(const Scene& scene) {
 MountChoice mount_of(const Plan& plan, std::string_view test, const Scene& scene,
                      const DriveTrain& wheels) {
   switch (plan.base) {
-    case BaseOption::kFixed: return {Base::kFixed, {}};
-    case BaseOption::kHang: return {Base::kHang, {}};
+    case BaseOption::kFixed: return {Base::kFixed, {}, false};
+    case BaseOption::kHang: return {Base::kHang, {}, false};
     case BaseOption::kFree: return {};
     case BaseOption::kAuto: break;
   }
@@ -214,14 +215,69 @@ std::string why_not_free(const std::string& test, const MountChoice& mount) {
   return mount.why.empty() ? "its base is held, as --base says" : mount.why;
 }
 
+/// Once, whichever tests find it.
+void add_fact(Fact fact, Planned& planned) {
+  const auto same = [&](const Fact& known) { return known.kind == fact.kind; };
+  if (std::none_of(planned.facts.begin(), planned.facts.end(), same)) {
+    fact.severe = false;
+    planned.facts.push_back(std::move(fact));
+  }
+}
+
+void add_tipping(const Scene& scene, Planned& planned) {
+  Fact fact = about_scene(scene);
+  fact.kind = FactKind::kHeldUp;
+  add_fact(std::move(fact), planned);
+}
+
+std::string own_name_of(const SceneJoint& joint) {
+  const std::size_t colon = joint.name.rfind("::");
+  return joint.name.substr(colon == std::string::npos ? 0 : colon + 2);
+}
+
+/// Of wheels that cannot drive: which, and why.
+void add_idle_wheels(const Scene& scene, const DriveTrain& wheels, Planned& planned) {
+  const std::vector<IdleWheel> idle = idle_wheels(scene, wheels);
+  if (idle.empty()) return;
+  Fact fact = about_joint(scene, idle.front().joint);
+  fact.kind = FactKind::kWheelsMiss;
+  fact.name.clear();
+  for (const IdleWheel& wheel : idle) {
+    fact.name += (fact.name.empty() ? "" : ", ") + own_name_of(scene.joints[wheel.joint]);
+  }
+  fact.value = idle.front().above;
+  fact.limit = idle.front().travel;
+  add_fact(std::move(fact), planned);
+}
+
+/// A drive that was asked for and left out.
+void add_missing_drive(const Scene& scene, const std::string& test, const std::string& why,
+                       Planned& planned) {
+  Fact fact = about_scene(scene);
+  fact.kind = FactKind::kWheelsMiss;
+  fact.test = test;
+  fact.help = why;
+  add_fact(std::move(fact), planned);
+}
+
+bool is_drive(std::string_view test) {
+  return test == "drive" || test == "turn" || test == "brake";
+}
+
 void add_test(const Plan& plan, const std::string& test, const Scene& scene,
               const DriveTrain& wheels, MountNotes& notes, Planned& planned) {
   const MountChoice mount = mount_of(plan, test, scene, wheels);
   const std::string why_not = why_not_free(test, mount);
   MadeTest made =
       why_not.empty() ? make_test(test, mounted(scene, mount.base), wheels) : MadeTest{{}, why_not};
+  if (mount.tips_over) add_tipping(scene, planned);
   if (!made.scenario) {
     planned.left_out.push_back(test + ": " + made.why_not);
+    const bool lacks_wheels = wheels.empty() ? is_drive(test) : test == "drive";
+    const bool is_held =
+        mount.base != Base::kFree || !stands_free(scene, 0) || is_to_be_bolted(scene, 0, wheels);
+    if (lacks_wheels && scene.alone && !is_held)
+      add_missing_drive(scene, test, made.why_not, planned);
     return;
   }
   made.scenario->base = mount.base;
@@ -238,6 +294,7 @@ void add_test(const Plan& plan, const std::string& test, const Scene& scene,
 Planned scenarios_of(const Plan& plan, const Scene& scene, const DriveTrain& wheels) {
   Planned planned;
   MountNotes notes;
+  if (!plan.tests.empty()) add_idle_wheels(scene, wheels, planned);
   for (const std::string& test : plan.tests) {
     add_test(plan, test, scene, wheels, notes, planned);
   }

@@ -33,6 +33,12 @@ constexpr double kParallelCosine = 0.985;
 /// A model's x is its forward when an axis is across it to within 45°.
 constexpr double kAcrossCosine = 0.707;
 
+/// Of its radius: what is higher above the ground is no wheel that misses it, but a pulley.
+constexpr double kMissShare = 1;
+
+/// rad: a wheel that was given the limits of an arm's joint, ±π or so. What turns less is a finger, a flap or a foot.
+constexpr double kLimitedTravel = 3;
+
 /// As a share of the largest radius: wheels nearer to the middle than this are on no side.
 constexpr double kMiddleShare = 0.1;
 
@@ -174,6 +180,41 @@ bool faces_backward(const Scene& scene, const std::vector<Wheel>& wheels, const 
   return ahead < 0;
 }
 
+/// Whether it carries nothing: what does is a link of an arm or a leg.
+bool is_last(const Scene& scene, std::uint32_t body) {
+  return std::none_of(scene.joints.begin(), scene.joints.end(),
+                      [&](const SceneJoint& joint) { return joint.parent == body; });
+}
+
+/// m
+double height_of(const Scene& scene, const LowestPoints& lowest, const Wheel& wheel) {
+  return lowest.of_shape[wheel.shape] -
+         lowest.of_model[scene.bodies[scene.joints[wheel.joint].child].model];
+}
+
+/// What is round about a level axis at its middle, and near the ground, whether or not it can roll there.
+std::vector<Wheel> like_wheels(const Scene& scene, const LowestPoints& lowest) {
+  std::vector<Wheel> found;
+  for (std::uint32_t i = 0; i < scene.joints.size(); ++i) {
+    const SceneJoint& joint = scene.joints[i];
+    const bool turns =
+        joint.type == model::JointType::kRevolute || joint.type == model::JointType::kContinuous;
+    if (!turns || joint.axes.size() != 1 || !joint.mimics.empty()) continue;
+    if (joint.child >= scene.bodies.size() || joint.parent >= scene.bodies.size()) continue;
+    if (std::abs(joint.axes[0].direction_W.z) > kLevelSine || !is_last(scene, joint.child))
+      continue;
+    if (length_of_travel(joint.axes[0]) < kLimitedTravel) continue;
+    const std::optional<Wheel> wheel = lowest_round(scene, lowest, i);
+    const bool rolls = wheel && wheel->width > 0 && wheel->width < 2 * wheel->radius &&
+                       std::abs(wheel->shape_axis_W.z) < kLevelSine && is_on_axis(*wheel) &&
+                       !is_steered(scene, joint.parent);
+    if (rolls && height_of(scene, lowest, *wheel) < kMissShare * wheel->radius) {
+      found.push_back(*wheel);
+    }
+  }
+  return found;
+}
+
 void sort_into_sides(const Scene& scene, std::vector<Wheel> wheels, DriveTrain& train) {
   const Vector3 to_left = cross({0, 0, 1}, train.forward_W);
   double least = kInfinity;
@@ -258,6 +299,25 @@ std::vector<bool> rolling_joints(const Scene& scene) {
     rolling[j] = bottom < lowest.of_model[scene.bodies[child].model] + kTouchGap;
   }
   return rolling;
+}
+
+std::vector<IdleWheel> idle_wheels(const Scene& scene, const DriveTrain& train) {
+  std::vector<IdleWheel> idle;
+  if (!scene.alone) return idle;
+  const LowestPoints lowest(scene);
+  std::vector<Wheel> wheels = train.left;
+  wheels.insert(wheels.end(), train.right.begin(), train.right.end());
+  if (train.empty()) wheels = largest_parallel_group(scene, like_wheels(scene, lowest));
+  if (wheels.size() < 2) return idle;  // a pulley, or a crank
+  for (const Wheel& wheel : wheels) {
+    const double above = height_of(scene, lowest, wheel);
+    const SceneJoint& joint = scene.joints[wheel.joint];
+    const bool misses = above > kTouchGap;
+    if (!misses && can_turn_over(joint)) return {};  // one drives
+    idle.push_back({wheel.joint, misses ? above : 0,
+                    can_turn_over(joint) ? kInfinity : length_of_travel(joint.axes[0])});
+  }
+  return idle;
 }
 
 DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named) {

@@ -51,6 +51,16 @@ struct DriveTrain {
 /// `named` are joints that the user says are wheels, by name; else they are found.
 DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named);
 
+/// What looks like a wheel, about a level axis, and cannot drive: it is too high, or its joint stops it.
+struct IdleWheel {
+  std::uint32_t joint = 0;
+  double above = 0;           ///< m, above the lowest point of the model; 0 of one that touches
+  double travel = kInfinity;  ///< rad, that its joint has
+};
+
+/// Of the wheels of a train those above the ground; of a model without one, also what stops or is higher.
+std::vector<IdleWheel> idle_wheels(const Scene& scene, const DriveTrain& train);
+
 /// A shape touches the ground when it is not higher than this above the lowest point of the model:
 /// what contacts sink in, and the care with which models are drawn.
 inline constexpr double kTouchGap = 0.003;  // m

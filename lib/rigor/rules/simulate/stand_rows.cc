@@ -31,6 +31,14 @@ std::span<const Row> stand_rows() {
        .why = "Every start is a drop test: joints are jerked, and what is measured first is the "
               "fall. In a world, a model that falls for long is not judged by rest.",
        .what_to_do = "Lower the model's or the link's pose by the gap; give a world a ground."},
+      {.rule = {"simulate-does-not-stand", FactKind::kHeldUp, Severity::kWarning},
+       .message = "does not stand by itself, it tips over; it was simulated with its base held",
+       .summary = "the model tips over where nothing holds it",
+       .why = "Its center of mass is not above what it stands on. A robot that is bolted down in "
+              "use need not stand; what is set on the ground falls over.",
+       .what_to_do =
+           "Widen the stance or move the masses; join the base to `world` if it is bolted "
+           "down; `--base fixed` accepts it as it is, `--base free` shows the fall."},
       {.rule = {"simulate-self-overlap", FactKind::kSelfOverlap, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
