@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <rigor/simulate/footprint.h>
+#include <rigor/simulate/joint_cycles.h>
 #include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/test/parts.h>
 
@@ -379,6 +380,116 @@ TEST(Tests, JointsAreHeldAndSweptFromWhereTheyStart) {
     if (command.kind == CommandKind::kPosition) last = command.value;
   }
   EXPECT_EQ(last, 0.4);
+}
+
+/// Two levers on a plate and a bar between them: a loop of four hinges.
+Scene four_bar() {
+  Scene scene;
+  scene.size = 0.6;
+  scene.models.push_back({.name = "bar", .base = 0});
+  for (const Vector3& p : {Vector3{0, 0, 0.05}, Vector3{-0.2, 0, 0.3}, Vector3{0.2, 0, 0.3},
+                           Vector3{0, 0, 0.45}, Vector3{0.5, 0, 0.3}}) {
+    SceneBody body;
+    body.name = "bar::" + std::to_string(scene.bodies.size());
+    body.X_WB.translation = p;
+    body.mass = {0.2, {}, {0.002, 0, 0, 0.002, 0, 0.002}};
+    scene.bodies.push_back(body);
+  }
+  scene.bodies[0].mass = {5, {}, {0.1, 0, 0, 0.1, 0, 0.1}};
+  scene.joints = {hinge("bar::crank", 0, 1, {-0.2, 0, 0.15}, {0, 1, 0}),
+                  hinge("bar::rocker", 0, 2, {0.2, 0, 0.15}, {0, 1, 0}),
+                  hinge("bar::near", 1, 3, {-0.2, 0, 0.45}, {0, 1, 0}),
+                  hinge("bar::far", 2, 3, {0.2, 0, 0.45}, {0, 1, 0}),
+                  hinge("bar::other", 0, 4, {0.5, 0, 0.15}, {0, 1, 0})};
+  for (SceneJoint& joint : scene.joints) {
+    joint.axes[0].lower = -0.4;
+    joint.axes[0].upper = 0.4;
+  }
+  return scene;
+}
+
+TEST(Tests, JointsOfALoopAreFound) {
+  const std::vector<std::uint32_t> cycles = joint_cycles(four_bar());
+  for (std::size_t j = 0; j < 4; ++j) {
+    EXPECT_NE(cycles[j], kWorld);
+    EXPECT_EQ(cycles[j], cycles[0]);
+  }
+  EXPECT_EQ(cycles[4], kWorld);
+  Scene open = four_bar();
+  open.joints.pop_back();
+  open.joints.pop_back();
+  EXPECT_EQ(joint_cycles(open), std::vector<std::uint32_t>(3, kWorld));
+  // Two hinges on the world hold what is between them.
+  open.joints.push_back(hinge("bar::wall", 3, kWorld, {}, {0, 1, 0}));
+  open.joints.push_back(hinge("bar::floor", kWorld, 0, {}, {0, 1, 0}));
+  EXPECT_EQ(joint_cycles(open), (std::vector<std::uint32_t>{0, kWorld, 0, 0, 0}));
+}
+
+/// A lever does not move while the others of its loop are held.
+TEST(Tests, ASweepLetsTheOtherJointsOfALoopGo) {
+  const Scene scene = four_bar();
+  const Scenario sweep = made_test("joint-sweep", scene);
+  ASSERT_EQ(sweep.phases.size(), 6U);  // it settles, and one for each joint
+  for (std::size_t j = 0; j < 5; ++j) {
+    const Phase& phase = sweep.phases[1 + j];
+    for (const Command& command : sweep.commands) {
+      const bool meets = command.begin < phase.end - 1e-9 && command.end > phase.begin + 1e-9;
+      const bool same_loop = j < 4 && command.joint < 4 && command.joint != j;
+      EXPECT_FALSE(same_loop && meets) << command.joint << " in " << phase.name;
+    }
+    const auto stands_in = [&](std::uint32_t joint) {
+      return std::any_of(sweep.commands.begin(), sweep.commands.end(), [&](const Command& command) {
+        return command.joint == joint && command.begin <= phase.begin && command.end >= phase.end;
+      });
+    };
+    EXPECT_TRUE(j == 4 || stands_in(4)) << "what is in no loop stands";
+  }
+}
+
+/// 200 kg and 87 N: 0.435 m/s² and no more. With half of that it starts and stops.
+TEST(Tests, ASweepStartsWithinTheEffortOfTheJoint) {
+  Scene scene;
+  scene.size = 1;
+  scene.models.push_back({.name = "slide", .base = kWorld});
+  SceneBody cart;
+  cart.name = "slide::cart";
+  cart.mass = {200, {}, {4, 0, 0, 4, 0, 6}};
+  scene.bodies = {cart};
+  scene.joints = {hinge("slide::x", kWorld, 0, {}, {1, 0, 0})};
+  scene.joints[0].type = model::JointType::kPrismatic;
+  scene.joints[0].axes[0].lower = -5;
+  scene.joints[0].axes[0].upper = 5;
+  scene.joints[0].axes[0].effort = 87;
+  scene.joints[0].axes[0].velocity = 2.175;
+  const Scenario sweep = made_test("joint-sweep", scene);
+  double way = 0;
+  for (const Command& command : sweep.commands) {
+    if (command.kind != CommandKind::kVelocity || command.value == 0) continue;
+    EXPECT_LE(200 * std::abs(command.value) / command.ramp, 87 * 0.5 * 1.001);
+    way += command.value * (command.end - command.begin);
+  }
+  EXPECT_NEAR(way, 0, 1e-9);  // there and back
+}
+
+/// A push leans a ball as far as it rolls.
+TEST(Tests, WhatIsRoundIsNotTippedOver) {
+  Scene scene;
+  scene.models.push_back({.name = "round", .base = 0});
+  SceneBody body;
+  body.name = "round::body";
+  body.X_WB.translation = {0, 0, 0.1};
+  body.mass = {1, {}, {0.004, 0, 0, 0.004, 0, 0.004}};
+  scene.bodies = {body};
+  const Quaternion on_its_side = model::from_rpy(1.5707963, 0, 0);
+  for (const SceneShapeKind& kind :
+       {SceneShapeKind{mesh::Sphere{0.1}}, SceneShapeKind{mesh::Cylinder{0.1, 1}}}) {
+    scene.shapes = {shape_of(0, kind, {{}, on_its_side})};
+    for (const char* test : {"push", "tilt-table"}) {
+      EXPECT_EQ(make_test(test, scene, {}).why_not, "it is round and rolls") << test;
+    }
+  }
+  scene.shapes[0].X_BS.rotation = {};
+  EXPECT_TRUE(make_test("push", scene, {}).scenario);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include <rigor/simulate/footprint.h>
+#include <rigor/simulate/joint_cycles.h>
 #include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/run.h>
 
@@ -121,6 +122,17 @@ void blame_what_touches(const Scene& scene, const PhaseMeasures& seen, Metric& r
   reach.fact->limit = *reach.warn;
 }
 
+/// What the other joints of a loop leave of a joint's range is how the mechanism is made.
+void blame_loop(Metric& reach) {
+  if (!reach.fact) return;
+  reach.fact->help =
+      "the other joints of its closed loop stop it: set its limits to what the loop leaves";
+  if (reach.verdict != Verdict::kFail) return;
+  reach.verdict = Verdict::kWarn;
+  reach.fact->severe = false;
+  reach.fact->limit = *reach.warn;
+}
+
 }  // namespace
 
 void add_joint_metrics(MetricSheet& sheet) {
@@ -163,6 +175,7 @@ void add_sweep_metrics(MetricSheet& sheet) {
   if (reach.of == kWorld) return;
   sheet.add("joint.reach", reach.value, about_joint(sheet.scene, reach.of));
   blame_effort(sheet, exhausted);
+  if (!exhausted && joint_cycles(sheet.scene)[reach.of] != kWorld) blame_loop(sheet.metrics.back());
   if (blocked != nullptr) blame_what_touches(sheet.scene, *blocked, sheet.metrics.back());
   if (effort.of == kWorld) return;
   sheet.add("joint.effort", effort.value, about_joint(sheet.scene, effort.of));

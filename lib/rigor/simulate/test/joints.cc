@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <rigor/simulate/joint_cycles.h>
 #include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/metric/parts.h>
 
@@ -28,6 +30,17 @@ constexpr double kStrokeMost = 3;  // s
 
 /// From rest to full speed and back; a step of speed would be a blow to all that hangs on the joint.
 constexpr double kStrokeRamp = 0.25;  // s
+
+/// s: what would take longer for its weak motor is told as briskly as the others, and found too weak.
+constexpr double kStrokeLongest = 12;
+
+constexpr double kStrokeRounding = 1e-9;
+
+/// Of the effort that a joint's load leaves: the rest is for what moves along.
+constexpr double kStartShare = 0.5;
+
+/// Times what a joint of a loop needs by itself: friction of the others, and their weight.
+constexpr double kLoopEffort = 3;
 
 /// At a limit it waits for so long, and takes half of it to get there exactly.
 constexpr double kStrokeRest = 0.2;  // s
@@ -69,6 +82,13 @@ SweepRange sweep_range(const Scene& scene, const SceneJoint& joint) {
 }
 
 /// The joints that motors move.
+struct SweptJoint {
+  std::uint32_t joint = 0;
+  SweepRange range;
+  double acceleration = kInfinity;  ///< rad/s², m/s², the most that it starts and stops with
+  double effort = kInfinity;        ///< N·m, N, the most that it is given
+};
+
 struct DrivenJoints {
   std::vector<std::uint32_t> joints;
   bool some_lack_effort = false;  ///< whether there are more, but that their effort limit is 0
@@ -101,13 +121,24 @@ std::string effort_note(const DrivenJoints& driven) {
 }
 
 /// Speeds up and slows down evenly, and ends exactly at `to`.
-double add_stroke(std::uint32_t joint, double from, double to, double speed, double begin,
+double add_stroke(const SweptJoint& swept, double from, double to, double begin,
                   Scenario& scenario) {
-  const double cruise = std::abs(to - from) / speed;
-  const double ramp = std::min(kStrokeRamp, cruise / 2);
+  const double way = std::abs(to - from);
+  // A motor that cannot start and stop faster takes its time.
+  const double gentle = std::min(swept.range.speed, std::sqrt(swept.acceleration * way));
+  const double speed = way / gentle <= kStrokeLongest ? gentle : swept.range.speed;
+  const double cruise = way / speed;
+  const double slow = speed / swept.acceleration;
+  const bool is_slow = slow > kStrokeRamp && slow <= cruise * (1 + kStrokeRounding);
+  const double ramp = is_slow ? std::min(slow, cruise) : std::min(kStrokeRamp, cruise / 2);
   const auto add = [&](CommandKind kind, double value, double start, double end, double rise) {
-    scenario.commands.push_back(
-        {.joint = joint, .kind = kind, .value = value, .begin = start, .end = end, .ramp = rise});
+    scenario.commands.push_back({.joint = swept.joint,
+                                 .kind = kind,
+                                 .value = value,
+                                 .begin = start,
+                                 .end = end,
+                                 .ramp = rise,
+                                 .effort = swept.effort});
   };
   const double arrived = begin + cruise + ramp;
   add(CommandKind::kVelocity, to < from ? -speed : speed, begin, begin + cruise, ramp);
@@ -125,6 +156,53 @@ void add_stand(std::uint32_t joint, double begin, double end, Scenario& scenario
 
 /// No gain that asks for all of the effort before the load's own sag: with less there is nothing to add, and a
 /// real controller would only swing between the two.
+/// When each joint of a loop is swept: the others of it are free then, since none moves while they are held.
+class LoopTimes {
+ public:
+  explicit LoopTimes(const Scene& scene) : cycles_(joint_cycles(scene)) {}
+
+  bool is_in_loop(std::uint32_t joint) const { return cycles_[joint] != kWorld; }
+
+  void take(std::uint32_t joint, double begin, double end) {
+    if (is_in_loop(joint)) taken_[cycles_[joint]].push_back({begin, end});
+  }
+
+  /// Stands where it is, but for the time that it, or a joint of its loop, is swept.
+  void add_stands(std::uint32_t joint, double begin, double end, Scenario& scenario) const {
+    const auto taken = is_in_loop(joint) ? taken_.find(cycles_[joint]) : taken_.end();
+    if (taken != taken_.end()) {
+      for (const auto& [from, to] : taken->second) {  // one after the other
+        if (to <= begin || from >= end) continue;
+        add_stand(joint, begin, from, scenario);
+        begin = to;
+      }
+    }
+    add_stand(joint, begin, end, scenario);
+  }
+
+ private:
+  std::vector<std::uint32_t> cycles_;
+  std::map<std::uint32_t, std::vector<std::pair<double, double>>> taken_;
+};
+
+/// How a joint is swept. With half of the effort that its load leaves it starts and stops; in a loop, whose other joints
+/// may stop it, it pushes with no more than a few times what it needs.
+SweptJoint swept_joint(const JointLoads& loads, const Scene& scene, std::uint32_t index,
+                       bool is_in_loop) {
+  const SceneJoint& joint = scene.joints[index];
+  SweptJoint swept{index, sweep_range(scene, joint)};
+  const SweepRange& range = swept.range;
+  const double load = loads.sweep_effort(joint, {range.lower, range.upper, range.speed, 0});
+  const double left = joint.axes[0].effort - load;
+  const double inertia = loads.inertia(joint);
+  if (left > 0 && inertia > 0) swept.acceleration = kStartShare * left / inertia;
+  if (is_in_loop) {
+    const double started = load + inertia * range.speed / kStrokeRamp;
+    swept.effort = kLoopEffort * started;
+  }
+  return swept;
+}
+
 Gains hold_gains(const JointLoads& loads, const SceneJoint& joint) {
   const double inertia = loads.standing_inertia(joint);
   const double effort = joint.axes[0].effort;
@@ -199,15 +277,19 @@ MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
   scenario.phases.push_back({"settle", 0, settled});
   std::vector<Phase> swept;
   SweepSchedule schedule(scene);
+  LoopTimes loops(scene);
+  const JointLoads loads(scene);
   for (const std::uint32_t j : joints) {
-    const SweepRange range = sweep_range(scene, scene.joints[j]);
+    const SweptJoint one = swept_joint(loads, scene, j, loops.is_in_loop(j));
+    const SweepRange& range = one.range;
     const double start = std::clamp(scene.joints[j].axes[0].start, range.lower, range.upper);
     const double begin = schedule.begin_of(scene.joints[j], settled);
     double time = begin;
-    time = add_stroke(j, start, range.lower, range.speed, time, scenario);
-    time = add_stroke(j, range.lower, range.upper, range.speed, time, scenario);
-    time = add_stroke(j, range.upper, start, range.speed, time, scenario);
+    time = add_stroke(one, start, range.lower, time, scenario);
+    time = add_stroke(one, range.lower, range.upper, time, scenario);
+    time = add_stroke(one, range.upper, start, time, scenario);
     swept.push_back({"sweep " + scene.joints[j].name, begin, time});
+    loops.take(j, begin, time);
     schedule.take(scene.joints[j], time);
     if (schedule.end() > kSweepMost) break;
   }
@@ -216,8 +298,8 @@ MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
   scenario.phases.insert(scenario.phases.end(), swept.begin(), swept.end());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const bool is_swept = i < swept.size();
-    add_stand(joints[i], 0, is_swept ? swept[i].begin : time, scenario);
-    if (is_swept) add_stand(joints[i], swept[i].end, time, scenario);
+    loops.add_stands(joints[i], 0, is_swept ? swept[i].begin : time, scenario);
+    if (is_swept) loops.add_stands(joints[i], swept[i].end, time, scenario);
   }
   add_drive(wheels, 0, 0, {"", 0, time}, 0, scenario);
   return {std::move(scenario), {}, effort_note(driven)};

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include <rigor/simulate/footprint.h>
 
@@ -30,12 +31,33 @@ constexpr double kTiltRate = 0.0873;  // rad/s
 constexpr double kTiltBeyond = 0.1745;
 constexpr double kTiltMost = 1.047;
 
+/// Sine of the angle that the axis of a drum may have with level ground: what leans more stands on its edge.
+constexpr double kLying = 0.1;
+
 std::uint32_t first_moving_model(const Scene& scene) {
   for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
     if (!scene.models[m].is_static && scene.models[m].base < scene.bodies.size()) return m;
   }
   return kWorld;
 }
+
+/// A ball, or what is round and lies on its side: a push or a slope rolls it, and no lean of it is a fall.
+bool rolls_away(const Scene& scene, std::uint32_t model) {
+  const SceneShape* only = nullptr;
+  for (const SceneShape& shape : scene.shapes) {
+    if (shape.body >= scene.bodies.size() || scene.bodies[shape.body].model != model) continue;
+    if (only != nullptr) return false;
+    only = &shape;
+  }
+  if (only == nullptr) return false;
+  if (std::holds_alternative<mesh::Sphere>(only->kind)) return true;
+  const bool is_drum = std::holds_alternative<mesh::Cylinder>(only->kind) ||
+                       std::holds_alternative<mesh::Capsule>(only->kind);
+  const Quaternion R_WS = compose(scene.bodies[only->body].X_WB, only->X_BS).rotation;
+  return is_drum && std::abs(rotate(R_WS, {0, 0, 1}).z) < kLying;
+}
+
+constexpr const char* kRolls = "it is round and rolls";
 
 Vector3 sideways(const DriveTrain& wheels) {
   return wheels.empty() ? Vector3{1, 0, 0} : cross({0, 0, 1}, wheels.forward_W);
@@ -65,6 +87,7 @@ MadeTest make_drop(const Scene& scene, const DriveTrain& wheels) {
 MadeTest make_push(const Scene& scene, const DriveTrain& wheels) {
   const std::uint32_t model = wheels.empty() ? first_moving_model(scene) : wheels.model;
   if (model == kWorld) return {{}, "the base of no model moves"};
+  if (rolls_away(scene, model)) return {{}, kRolls};
   const std::uint32_t base = scene.models[model].base;
   Scenario scenario{.name = "push", .spawn = Spawn::kOnGround};
   const double settled = settling_time(scene);
@@ -87,6 +110,7 @@ MadeTest make_push(const Scene& scene, const DriveTrain& wheels) {
 MadeTest make_tilt_table(const Scene& scene, const DriveTrain& wheels) {
   const std::uint32_t model = wheels.empty() ? first_moving_model(scene) : wheels.model;
   if (model == kWorld) return {{}, "the base of no model moves"};
+  if (rolls_away(scene, model)) return {{}, kRolls};
   const std::vector<Vector3> corners = footprint_at_start(scene, model, kFootSlack);
   if (corners.size() < 3) return {{}, "it stands on a line or a point"};
   const TiltOver tip = tip_angle(scene, model, corners);
