@@ -94,6 +94,25 @@ TEST(Advice, ALinkWhoseMeshIsMissingIsNoFrame) {
   std::filesystem::remove(path);
 }
 
+/// "no inertial" is not true of one that has a mass.
+TEST(Advice, AMassWithoutATensorIsAKindOfItsOwn) {
+  const std::string path = testing::TempDir() + "rigor_advice_mass_alone.sdf";
+  std::ofstream(path)
+      << "<sdf version='1.9'><model name='m'><link name='a'><inertial><mass>5</mass>"
+         "</inertial><collision name='c'><geometry><sphere><radius>0.1</radius>"
+         "</sphere></geometry></collision></link></model></sdf>";
+  const NoFile file(path);
+  const Scene scene = build_scene(file.files.input(), {}).scene;
+  const Facts causes = causes_in(scene, file.files.input(), {});
+  EXPECT_TRUE(of_kind(causes, FactKind::kCauseDefaultInertia).empty());
+  const std::vector<Fact> inertias = of_kind(causes, FactKind::kCauseInertiaNotWritten);
+  ASSERT_EQ(inertias.size(), 1U);
+  EXPECT_NEAR(inertias[0].value, 1 / (0.4 * 5 * 0.01), 1e-9);
+  // It explains what the default explains.
+  ASSERT_FALSE(explain({.kind = FactKind::kDriveBackwards}, causes).empty());
+  std::filesystem::remove(path);
+}
+
 TEST(Advice, NothingIsWrongWithAGoodRobot) { EXPECT_TRUE(causes_of(tutorial_robot()).empty()); }
 
 TEST(Advice, AWheelOffCenterTiltedOrReversed) {

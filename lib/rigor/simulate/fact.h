@@ -87,7 +87,9 @@ enum class FactKind : std::uint8_t {
   // Why, found in the model (simulate/advice/advice.h). They go along with what a run shows.
   kCauseInertia,         ///< `value`: times the moment of the link's shapes; `name`: which moment
   kCauseDefaultInertia,  ///< nothing is written: 1 kg and the identity; `value` and `name` as above
-  kCauseMassRatio,       ///< of two bodies that a joint connects; `name`: the other's
+  /// A mass is written and no inertia: the identity; `value` and `name` as above.
+  kCauseInertiaNotWritten,
+  kCauseMassRatio,  ///< of two bodies that a joint connects; `name`: the other's
   kCauseWheelOffCenter,
   kCauseWheelAxis,  ///< `name`: "tilted" against the cylinder's, or "reversed": it rolls backward
   kCauseCasterFriction,
@@ -96,7 +98,7 @@ enum class FactKind : std::uint8_t {
   kCauseStartOutsideLimits,
   kCauseNoCollision,
   kCauseEffort,  ///< too little for the load
-  /// `name`: "kinematic", "gravity" that acts on others of the model, "max_contacts" of 0.
+  /// `name`: "kinematic", "gravity" that acts on others of the model, "no gravity" on any, "max_contacts" of 0.
   kCauseFlag,
   kCauseWheelFriction,  ///< of a wheel that drives; `value`: the larger of mu and mu2
   kCauseWheelRadii,     ///< of two on one axle; `value`: m, `limit`: the other's, `name`: the other

@@ -37,6 +37,19 @@ std::span<const Row> cause_rows() {
        .why = "Nothing was written, so the simulator takes a body of 1 kg whose moments are those "
               "of a ball three meters wide.",
        .what_to_do = "Run `rigor inertia MODEL --write`."},
+      {.rule = {"simulate-cause-inertia-not-written", FactKind::kCauseInertiaNotWritten,
+                Severity::kWarning},
+       .message =
+           [](const simulate::Fact& fact) {
+             return fact.value > 0 ? "has a mass but no `<inertia>`, so it gets 1 kg·m²: "
+                                     "{value:.3g} times the inertia of its shape"
+                                   : "has a mass but no `<inertia>`, so it gets 1 kg·m²";
+           },
+       .help = "run `rigor inertia MODEL --write`",
+       .summary = "a link has a mass and the default inertia: 1 kg·m²",
+       .why = "SDFormat's moments are 1 kg·m² where none are written, whatever the mass and the "
+              "size of the link.",
+       .what_to_do = "Run `rigor inertia MODEL --write`."},
       {.rule = {"simulate-cause-mass-ratio", FactKind::kCauseMassRatio, Severity::kWarning},
        .message = "is connected by a joint to {name}, which has {value:.3g} times its mass",
        .help = "keep neighboring masses within a factor of about 50",
@@ -114,9 +127,10 @@ std::span<const Row> cause_rows() {
       {.rule = {"simulate-cause-flag", FactKind::kCauseFlag, Severity::kWarning},
        .message =
            [](const simulate::Fact& fact) {
-             return fact.name == "kinematic" ? "is kinematic: no force moves it"
-                    : fact.name == "max_contacts"
-                        ? "has a max_contacts of 0: nothing touches it"
+             return fact.name == "kinematic"      ? "is kinematic: no force moves it"
+                    : fact.name == "max_contacts" ? "has a max_contacts of 0: nothing touches it"
+                    : fact.name == "no gravity"
+                        ? "has gravity switched off: it floats where it is"
                         : "has gravity switched off, unlike other links of the model";
            },
        .help = "remove the flag",

@@ -11,6 +11,7 @@
 #include <rigor/simulate/advice/parts.h>
 #include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/mount.h>
 
 namespace rigor::simulate {
 namespace {
@@ -52,6 +53,7 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kPushedOver:
       return {kCauseMeshScale,      kCauseTopHeavy,    kCauseWheelOffCenter, kCauseWheelAxis,
               kCauseDefaultInertia, kCauseNoCollision, kCauseInertia};
+    case kSpawnedAbove: return {kCauseFlag};
     case kUnbalanced:
     case kFalls:
     case kSinks:
@@ -87,6 +89,12 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
   }
 }
 
+/// What is true of a link without an `<inertial>` is so of one with a mass alone.
+bool is_kind(const Fact& cause, FactKind kind) {
+  const bool is_default = cause.kind == FactKind::kCauseInertiaNotWritten;
+  return (is_default ? FactKind::kCauseDefaultInertia : cause.kind) == kind;
+}
+
 }  // namespace
 
 void Causes::add(FactKind kind, Fact about, double value, double limit, double weight,
@@ -101,6 +109,12 @@ void Causes::add(FactKind kind, Fact about, double value, double limit, double w
 void add_joint_causes(Causes& causes) {
   const Scene& scene = causes.scene;
   const JointLoads loads(scene);
+  std::vector<bool> stands;
+  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+    const bool is_free = scene.alone && stands_free(scene, m);
+    stands.push_back(is_free && stands_by_itself(scene, m) &&
+                     !is_to_be_bolted(scene, m, causes.wheels));
+  }
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     if (joint.axes.size() != 1 || joint.child >= scene.bodies.size()) continue;
@@ -113,7 +127,11 @@ void add_joint_causes(Causes& causes) {
                  outside / kOutsideLimits, 1);
     }
     if (!can_be_commanded(joint) || !(axis.effort > 0) || !std::isfinite(axis.effort)) continue;
-    const double load = std::max(loads.weight(joint), axis.friction);
+    // What lies on the ground with its links bears no more than what is between them.
+    const bool lies = joint.model < scene.models.size() && stands[joint.model];
+    const double weight =
+        lies ? std::min(loads.weight(joint), loads.standing(joint)) : loads.weight(joint);
+    const double load = std::max(weight, axis.friction);
     if (load > axis.effort) {
       causes.add(FactKind::kCauseEffort, about, load, axis.effort, load / axis.effort, 1);
     }
@@ -146,7 +164,7 @@ Facts explain(const Fact& shown, const Facts& causes) {
   if (shown.kind == FactKind::kJointShort && !shown.help.empty()) return likely;
   for (const FactKind kind : kinds_behind(shown.kind)) {
     for (const Fact& cause : causes) {
-      if (cause.kind == kind && likely.size() < kMaxCauses) likely.push_back(cause);
+      if (is_kind(cause, kind) && likely.size() < kMaxCauses) likely.push_back(cause);
     }
   }
   return likely;

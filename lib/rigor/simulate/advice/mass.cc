@@ -109,6 +109,12 @@ double moment_of_model(const Scene& scene) {
   return moving_mass(scene) * scene.size * scene.size / 18;
 }
 
+/// Of a link without an `<inertial>`, or with one that has a mass alone.
+FactKind default_kind(const mass::Resolved& taken) {
+  return taken.taken == mass::Taken::kIdentity ? FactKind::kCauseInertiaNotWritten
+                                               : FactKind::kCauseDefaultInertia;
+}
+
 /// A link that is only a frame and has no `<inertial>`: SDFormat gives it 1 kg and 1 kg·m², which turns a small robot into a
 /// flywheel.
 void add_default_of_frame(Causes& causes, const SceneLink& link, const mass::Resolved& taken) {
@@ -119,7 +125,7 @@ void add_default_of_frame(Causes& causes, const SceneLink& link, const mass::Res
   const bool lacks_mesh = link.model < models.size() && models[link.model].missing_shapes > 0;
   about.help = lacks_mesh ? "give it an `<inertial>`"
                           : "replace the link with a `<frame>`, or give it a small `<inertial>`";
-  causes.add(FactKind::kCauseDefaultInertia, std::move(about), 0, kInertiaFactor, factor, 1);
+  causes.add(default_kind(taken), std::move(about), 0, kInertiaFactor, factor, 1);
 }
 
 }  // namespace
@@ -152,8 +158,8 @@ void add_inertia_causes(Causes& causes) {
       continue;
     }
     Fact about{.where = link.where, .subject = subject_of(link.name, "link"), .name = off.name};
-    causes.add(defaults ? FactKind::kCauseDefaultInertia : FactKind::kCauseInertia,
-               std::move(about), off.factor, kInertiaFactor, off.badness() / kInertiaFactor, 1);
+    causes.add(defaults ? default_kind(taken) : FactKind::kCauseInertia, std::move(about),
+               off.factor, kInertiaFactor, off.badness() / kInertiaFactor, 1);
   }
 }
 

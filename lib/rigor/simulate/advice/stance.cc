@@ -108,7 +108,9 @@ void add_flags(Causes& causes, std::uint32_t m) {
     Fact about = about_body(scene, b);
     if (body.kinematic) {
       about.name = "kinematic";
-    } else if (!body.gravity && any_falls && body.mass.mass > kMissedShare * whole) {
+    } else if (!body.gravity && !any_falls) {
+      about.name = "no gravity";
+    } else if (!body.gravity && body.mass.mass > kMissedShare * whole) {
       about.name = "gravity";
     } else {
       continue;
