@@ -191,7 +191,8 @@ PreparedModel Simulator::prepare(const read::Loaded& loaded,
   const bool holds = base == simulate::BaseOption::kFixed || base == simulate::BaseOption::kHang;
   simulate::SceneOptions how = options_.scene;
   how.root = holds ? Root::kHeld : Root::kFree;
-  PreparedModel model{loaded, simulate::build_scene(files.input(), how), {}, {}, {}, std::move(selection)};
+  PreparedModel model{
+      loaded, simulate::build_scene(files.input(), how), {}, {}, {}, std::move(selection)};
   simulate::Scene& scene = model.made.scene;
   const SolverChoice& solver = options_.solver;
   if (solver.step) scene.solver.step = *solver.step;

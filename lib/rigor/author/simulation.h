@@ -60,7 +60,8 @@ struct PreparedModel {
   simulate::DriveTrain wheels;
   std::string note;            ///< of the pose that its legs begin in, where one was chosen for it
   rules::Selection selection;  ///< which rules say what its runs show
-  simulate::Facts remarks = {};  ///< what is to be known of each of its runs: no motor holds its joints
+  simulate::Facts remarks =
+      {};  ///< what is to be known of each of its runs: no motor holds its joints
 };
 
 struct SimulationCase {
