@@ -176,7 +176,12 @@ TEST(Simulate, HalfTheStepDoesNotOutvoteTheExactSolver) {
   // That both warn of something else is no agreement on the failure.
   EXPECT_FALSE(run.confirmations[0].agrees);
   EXPECT_TRUE(run.confirmations[1].agrees);
-  // Where steps were left unsolved, or the run flew apart, it is voted on.
+  // What is nearly as bad is no denial. Where steps were left unsolved, or the run flew apart, it is voted on.
+  fails();
+  exact.metrics[0] = make_metric("accel.peak", 450, {});
+  confirm({exact, half}, run);
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kFail);
+  exact.metrics[0] = make_metric("accel.peak", 60, {});
   fails();
   exact.record.solver_messages = 1;
   confirm({exact, half}, run);

@@ -122,15 +122,16 @@ void blame_what_touches(const Scene& scene, const PhaseMeasures& seen, Metric& r
   reach.fact->limit = *reach.warn;
 }
 
-/// What the other joints of a loop leave of a joint's range is how the mechanism is made.
+/// The range of a joint without limits is the sweep's: how much of it a loop leaves is how the mechanism is made.
+bool has_range(const SceneJoint& joint, bool is_in_loop) {
+  const SceneAxis& axis = joint.axes[0];
+  return !is_in_loop || (axis.lower > -kInfinity && axis.upper < kInfinity);
+}
+
 void blame_loop(Metric& reach) {
   if (!reach.fact) return;
   reach.fact->help =
       "the other joints of its closed loop stop it: set its limits to what the loop leaves";
-  if (reach.verdict != Verdict::kFail) return;
-  reach.verdict = Verdict::kWarn;
-  reach.fact->severe = false;
-  reach.fact->limit = *reach.warn;
 }
 
 }  // namespace
@@ -149,6 +150,7 @@ void add_joint_metrics(MetricSheet& sheet) {
 void add_sweep_metrics(MetricSheet& sheet) {
   const std::vector<std::uint32_t> first = first_axes(sheet.scene);
   const JointLoads loads(sheet.scene);
+  const std::vector<std::uint32_t> cycles = joint_cycles(sheet.scene);
   Peak reach, effort;
   bool exhausted = false;
   const PhaseMeasures* blocked = nullptr;  // in which its own links are in the way
@@ -159,8 +161,10 @@ void add_sweep_metrics(MetricSheet& sheet) {
     const PhaseMeasures& seen = sheet.record.measures.phases[i];
     if (sweep.joint == kWorld || seen.steps == 0) continue;
     const std::uint32_t axis = first[sweep.joint];
-    const double missing = missing_share(sweep.motion.least, sweep.motion.most, seen.axis_min[axis],
-                                         seen.axis_max[axis]);
+    const double missing = has_range(sheet.scene.joints[sweep.joint], cycles[sweep.joint] != kWorld)
+                               ? missing_share(sweep.motion.least, sweep.motion.most,
+                                               seen.axis_min[axis], seen.axis_max[axis])
+                               : 0;
     const double share = effort_share(sheet.scene.joints[sweep.joint], loads, sweep.motion,
                                       seen.axis_effort[axis], missing);
     const bool touches_itself = seen.self_contact.value > 0;
@@ -175,7 +179,7 @@ void add_sweep_metrics(MetricSheet& sheet) {
   if (reach.of == kWorld) return;
   sheet.add("joint.reach", reach.value, about_joint(sheet.scene, reach.of));
   blame_effort(sheet, exhausted);
-  if (!exhausted && joint_cycles(sheet.scene)[reach.of] != kWorld) blame_loop(sheet.metrics.back());
+  if (!exhausted && cycles[reach.of] != kWorld) blame_loop(sheet.metrics.back());
   if (blocked != nullptr) blame_what_touches(sheet.scene, *blocked, sheet.metrics.back());
   if (effort.of == kWorld) return;
   sheet.add("joint.effort", effort.value, about_joint(sheet.scene, effort.of));

@@ -41,6 +41,9 @@ constexpr double kMotorLag = 0.02;
 /// rad/s or m/s: a joint that is slower stands, and its friction holds it. A row of force mixing creeps by less.
 constexpr double kStands = 1e-3;
 
+/// Of a limit: a row that gives it all, but for rounding.
+constexpr double kAllOfIt = 0.999;
+
 /// Share of a coupling's error, of position and of speed, that a step takes away: the sum of the first
 /// and twice the second may be 4, of which half is kept since two coordinates share bodies.
 constexpr double kCouplingPosition = 0.4;
@@ -271,7 +274,10 @@ void EngineJoints::drive_slot(Coordinate& c) const {
     return set_ode_motor(c, 0, c.most + friction, c.give);
   }
   c.held = false;
-  if (speed > wanted || (beyond >= 0 && way * c.row < 0)) {
+  // Friction that the motor does not overcome brakes by itself, and only what is more is the motor's to brake.
+  const bool brakes = beyond >= 0 ? speed > wanted || way * c.row < 0
+                                  : speed > wanted && way * c.row <= kAllOfIt * beyond;
+  if (brakes) {
     return set_ode_motor(c, c.told, c.most + friction, c.give);
   }
   set_ode_motor(c, beyond > 0 ? c.told : 0, std::abs(beyond), c.give);
