@@ -246,7 +246,7 @@ void MjcfPlan::find_loops() {
   }
 }
 
-std::string MjcfPlan::unique(write::UniqueNames& taken, const std::string& name) const {
+std::string MjcfPlan::unique(model::UniqueNames& taken, const std::string& name) const {
   return taken.add(target == MjcfTarget::kSdf ? sdf_name(name) : name);
 }
 
@@ -261,7 +261,7 @@ void MjcfPlan::name_all() {
     link_names.push_back(!chosen[i] ? std::string(robot::kWorldBody)
                                     : unique(taken_links, robot.bodies[i].name));
   }
-  write::UniqueNames& taken = target == MjcfTarget::kSdf ? taken_links : taken_joints;
+  model::UniqueNames& taken = target == MjcfTarget::kSdf ? taken_links : taken_joints;
   const auto joint_name = [&](const std::string& name) {
     return unique(taken, taken.contains(name) ? name + "_joint" : name);
   };
@@ -286,7 +286,7 @@ void MjcfPlan::settle_balls() {
 /// libsdformat takes no name of a visual for a collision of the same link.
 void MjcfPlan::name_parts() {
   for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
-    write::UniqueNames taken;
+    model::UniqueNames taken;
     const auto name = [&](std::vector<robot::Part>& parts, const std::string& kind) {
       for (robot::Part& part : parts) {
         if (part.name.empty()) part.name = kind;
@@ -295,7 +295,7 @@ void MjcfPlan::name_parts() {
       }
     };
     name(robot.bodies[i].visuals, "visual");
-    if (target == MjcfTarget::kUrdf) taken = write::UniqueNames();
+    if (target == MjcfTarget::kUrdf) taken = model::UniqueNames();
     name(robot.bodies[i].collisions, "collision");
   }
 }

@@ -19,7 +19,7 @@
 
 #include <rigor/convert/from_mjcf.h>
 #include <rigor/read/mjcf/mjcf_scope.h>
-#include <rigor/write/unique_names.h>
+#include <rigor/model/unique_names.h>
 
 namespace rigor::convert {
 
@@ -50,7 +50,7 @@ struct MjcfPlan {
   bool is_between(std::uint32_t body) const {
     return body < root().links.size() && link(body).between_joints;
   }
-  std::string unique(write::UniqueNames& taken, const std::string& name) const;
+  std::string unique(model::UniqueNames& taken, const std::string& name) const;
 
   const FromMjcfSource& source;
   const FromMjcfOptions& options;
@@ -71,7 +71,7 @@ struct MjcfPlan {
   bool is_static = false;                        ///< SDF: whether nothing of it ever moves
   std::vector<std::string> link_names;           ///< in the result, by body
   std::vector<std::string> joint_names;          ///< in the result, by joint of the robot
-  write::UniqueNames taken_links, taken_joints;  ///< one set in SDF: `taken_links`
+  model::UniqueNames taken_links, taken_joints;  ///< one set in SDF: `taken_links`
   std::vector<MjcfLoop> loops;
   std::vector<xml::Element> locks;  ///< equalities that hold a joint in place
 

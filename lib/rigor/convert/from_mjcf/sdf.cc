@@ -307,7 +307,7 @@ class MjcfToSdf {
   const model::Root& root_;
   Ledger& ledger_;
   FromMjcfConversion& result_;
-  write::UniqueNames taken_;
+  model::UniqueNames taken_;
   SdfDraft draft_;
   MjcfShaper shaper_;
   MjcfSensors sensors_;

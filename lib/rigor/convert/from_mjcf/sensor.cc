@@ -177,7 +177,7 @@ class MjcfSensorReader {
   const MjcfPlan& plan_;
   Ledger& ledger_;
   MjcfSensors sensors_;
-  std::map<std::uint32_t, write::UniqueNames> taken_;
+  std::map<std::uint32_t, model::UniqueNames> taken_;
 };
 
 }  // namespace

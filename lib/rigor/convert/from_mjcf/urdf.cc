@@ -333,7 +333,7 @@ class MjcfToUrdf {
   UrdfDraft draft_;
   MjcfShaper shaper_;
   bool needs_world_ = false;
-  write::UniqueNames link_names_, joint_names_;
+  model::UniqueNames link_names_, joint_names_;
 };
 
 }  // namespace

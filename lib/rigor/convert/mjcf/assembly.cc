@@ -13,8 +13,8 @@
 #include <rigor/convert/mjcf/draft.h>
 #include <rigor/mass/nearest.h>
 #include <rigor/mass/resolve.h>
+#include <rigor/model/unique_names.h>
 #include <rigor/robot/lumping.h>
-#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 namespace {
@@ -226,7 +226,7 @@ class MjcfAssembler {
   MjcfEntities entities_;
   MjcfAssembly result_;
   robot::Body world_;
-  write::UniqueNames body_names_, joint_names_;
+  model::UniqueNames body_names_, joint_names_;
 };
 
 }  // namespace

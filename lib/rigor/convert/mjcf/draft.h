@@ -22,8 +22,8 @@
 #include <rigor/convert/mjcf/element.h>
 #include <rigor/convert/to_mjcf.h>
 #include <rigor/mesh/read.h>
+#include <rigor/model/unique_names.h>
 #include <rigor/robot/look.h>
-#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 
@@ -70,7 +70,7 @@ struct MjcfDraft {
   std::vector<std::vector<std::string>> joint_names;
   double next_to_nothing = 0;  ///< kg
 
-  std::map<std::string, write::UniqueNames, std::less<>> names = {};  ///< by kind: "geom"
+  std::map<std::string, model::UniqueNames, std::less<>> names = {};  ///< by kind: "geom"
   std::map<std::string, std::string> mesh_names = {};  ///< of what was written, by what it holds
   std::map<std::string, std::vector<std::string>> group_files =
       {};  ///< likewise, one for each look

@@ -12,9 +12,9 @@
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/convert/written_number.h>
 #include <rigor/model/subject.h>
+#include <rigor/model/unique_names.h>
 #include <rigor/read/values.h>
 #include <rigor/schema/value.h>
-#include <rigor/write/unique_names.h>
 
 namespace rigor::convert {
 namespace {
@@ -31,7 +31,7 @@ class ShapeNames {
   }
 
  private:
-  write::UniqueNames names_{1};
+  model::UniqueNames names_{1};
 };
 
 struct ToUrdfGeometry {

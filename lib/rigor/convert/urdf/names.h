@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/write/unique_names.h>
+#include <rigor/model/unique_names.h>
 
 namespace rigor::convert {
 
@@ -37,7 +37,7 @@ class UrdfNames {
   std::string legal(std::string_view name) const;
 
   std::string fallback_;
-  write::UniqueNames names_;
+  model::UniqueNames names_;
 };
 
 }  // namespace rigor::convert

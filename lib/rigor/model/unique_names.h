@@ -14,7 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
-namespace rigor::write {
+namespace rigor::model {
 
 class UniqueNames {
  public:
@@ -43,4 +43,4 @@ class UniqueNames {
   std::unordered_map<std::string, int> next_;  ///< numbers below it are taken, by name
 };
 
-}  // namespace rigor::write
+}  // namespace rigor::model

@@ -1,11 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/write/unique_names.h>
+#include <rigor/model/unique_names.h>
 
 #include <gtest/gtest.h>
 
-namespace rigor::write {
+namespace rigor::model {
 namespace {
 
 TEST(UniqueNames, TakeTheFirstNumberThatIsFree) {
@@ -27,4 +27,4 @@ TEST(UniqueNames, BeginWhereTheyAreTold) {
 }
 
 }  // namespace
-}  // namespace rigor::write
+}  // namespace rigor::model
