@@ -184,5 +184,28 @@ TEST_F(MjcfCli, AnSrdfGivesTheKeyframeAndThePairsThatDoNotTouch) {
   EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf --srdf arm.sdf").exit, 2);
 }
 
+/// A part of a robot is not weighed, compared or converted as if it were the robot.
+TEST_F(MjcfCli, WhatIsNotReadToItsEndIsRefused) {
+  folder.put("many.xml",
+             "<mujoco><worldbody><replicate count='60000' offset='1 0 0'><body><geom size='.1' "
+             "mass='1'/></body></replicate></worldbody></mujoco>");
+  folder.put("out/keep", "");
+  const Ran checked = folder.rigor("validate many.xml --format concise");
+  EXPECT_EQ(checked.exit, 1);
+  EXPECT_NE(checked.out.find("[mjcf-too-large]"), std::string::npos) << checked.out;
+  for (const char* command :
+       {"inertia many.xml", "inspect many.xml --format tsv", "mjcf2urdf many.xml -o out/many.urdf",
+        "mjcf2sdf many.xml -o out/many.sdf"}) {
+    const Ran ran = folder.rigor(command);
+    EXPECT_EQ(ran.exit, 1) << command << ran.err;
+    EXPECT_NE((ran.out + ran.err).find("not read to its end"), std::string::npos)
+        << command << (ran.out + ran.err).substr(0, 2000);
+  }
+  EXPECT_FALSE(exists("out/many.urdf"));
+  EXPECT_FALSE(exists("out/many.sdf"));
+  EXPECT_NE(folder.rigor("diff many.xml many.xml").exit, 0);
+  EXPECT_NE(folder.rigor("simulate many.xml").exit, 0);
+}
+
 }  // namespace
 }  // namespace rigor::test

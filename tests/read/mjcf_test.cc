@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -353,7 +354,179 @@ TEST(Mjcf, CopiesThatMultiplyAreBounded) {
   const MjcfFile file("<mujoco><worldbody>" + open +
                       R"(<geom size="1" contype="0" conaffinity="0"/>)" + close +
                       "</worldbody></mujoco>");
-  EXPECT_LE(file.root().visuals.size(), 100'010U);
+  EXPECT_LE(file.root().visuals.size(), 200'010U);
+  EXPECT_TRUE(file.tells(MjcfFactKind::kTooLarge));
+  EXPECT_TRUE(file.root().cut.written);
+}
+
+/// What is left out is never left out in silence.
+TEST(Mjcf, WhatIsTooLargeIsReportedOnce) {
+  const auto copies = [](const std::string& count, const std::string& inside) {
+    return MjcfFile("<mujoco><worldbody><replicate count='" + count + "' offset='1 0 0'>" + inside +
+                    "</replicate></worldbody></mujoco>");
+  };
+  const std::string body = "<body><geom size='.1' mass='1'/></body>";
+  EXPECT_FALSE(copies("2000", body).root().cut.written);
+  EXPECT_EQ(copies("2000", body).root().links.size(), 2000U);
+  for (const char* count : {"60000", "100001", "1e15"}) {
+    const MjcfFile file = copies(count, body);
+    EXPECT_TRUE(file.root().cut.written) << count;
+    EXPECT_EQ(
+        std::count_if(file.facts().begin(), file.facts().end(),
+                      [](const MjcfFact& fact) { return fact.kind == MjcfFactKind::kTooLarge; }),
+        1)
+        << count;
+  }
+}
+
+/// Elements that become nothing cost time all the same: thirty tens are 10³⁰ visits.
+TEST(Mjcf, VisitsAreBoundedWhateverComesOfThem) {
+  for (const char* inside : {"<geom size='1'/>", "<light/>", ""}) {
+    std::string open, close;
+    for (int i = 0; i < 30; ++i) {
+      open += "<replicate count='10' offset='1 0 0'>";
+      close += "</replicate>";
+    }
+    const MjcfFile file("<mujoco><worldbody>" + open + inside + close + "</worldbody></mujoco>");
+    EXPECT_TRUE(file.root().cut.written) << inside;
+  }
+}
+
+TEST(Mjcf, JointsAndSitesCountAsWell) {
+  for (const char* inside : {"<joint/>", "<site name='s'/>", "<geom size='1'/>"}) {
+    const MjcfFile file(std::string("<mujoco><worldbody><body><replicate count='100000'>"
+                                    "<replicate count='1000'>") +
+                        inside + "</replicate></replicate></body></worldbody></mujoco>");
+    EXPECT_TRUE(file.root().cut.written) << inside;
+    EXPECT_LE(file.root().joints.size() + file.root().frames.size(), 200'010U);
+  }
+}
+
+/// A name of a megabyte, and as many copies of it.
+TEST(Mjcf, NamesOfCopiesAreBounded) {
+  const MjcfFile file("<mujoco><worldbody><replicate count='5000' sep='" +
+                      std::string(1'000'000, 's') +
+                      "'><body name='b'/></replicate></worldbody></mujoco>");
+  EXPECT_TRUE(file.root().cut.written);
+  EXPECT_LE(file.root().links.size(), 100U);
+}
+
+TEST(Mjcf, ModelsThatAttachThemselvesAreBounded) {
+  std::string open, close;
+  for (int i = 0; i < 40; ++i) {
+    open += "<body>";
+    close += "</body>";
+  }
+  const MjcfFile file("<mujoco><worldbody><body name='b'>" + open +
+                      "<attach prefix='a' body='b'/>" + close + "</body></worldbody></mujoco>");
+  EXPECT_TRUE(file.root().cut.written);
+}
+
+TEST(Mjcf, ATotalMassIsSharedByNoMoreBodiesThanCanBeSummedForEach) {
+  const auto file = [](const std::string& count) {
+    return MjcfFile(
+        "<mujoco><compiler settotalmass='1'/><worldbody><replicate count='" + count +
+        "' offset='1 0 0'><body><geom size='.1'/></body></replicate></worldbody></mujoco>");
+  };
+  EXPECT_FALSE(file("100").root().cut.written);
+  EXPECT_TRUE(file("4000").root().cut.written);
+}
+
+TEST(Mjcf, ManySitesOfOneNameAreNamedQuickly) {
+  std::string sites;
+  for (int i = 0; i < 30'000; ++i) sites += "<site name='b'/>";
+  const MjcfFile file("<mujoco><worldbody><body name='b'><geom size='1'/>" + sites +
+                      "</body></worldbody></mujoco>");
+  ASSERT_EQ(file.root().frames.size(), 30'000U);
+  EXPECT_EQ(file.root().frames[0].name.value, "b_site");
+  EXPECT_EQ(file.root().frames[1].name.value, "b_site_2");
+}
+
+TEST(Mjcf, NumbersThatAnElementDoesNotGiveAreThoseOfItsClass) {
+  const MjcfFile file(R"(<mujoco>
+    <default><geom type="capsule" size="0.05 0.2" friction="2 3 4"/>
+      <default class="x"><geom size="0.07"/></default></default>
+    <worldbody><body name="a"><freejoint/><geom size="0.04"/></body>
+      <body name="b"><freejoint/><geom class="x"/></body>
+      <body name="c"><joint name="j"/><geom/></body>
+      <body name="d"><joint name="k"/><geom/></body></worldbody>
+    <equality><joint joint1="j" joint2="k" polycoef="0.5"/></equality></mujoco>)");
+  const auto shape = [&](const char* body) {
+    const model::Link& link = file.root()[file.link(body)];
+    return std::get<model::Capsule>(file.root()[link.collisions.at(0)].geometry.shape);
+  };
+  EXPECT_EQ(shape("a").radius.value, 0.04);
+  EXPECT_EQ(shape("a").length.value, 0.4);
+  EXPECT_EQ(shape("b").radius.value, 0.07);
+  EXPECT_EQ(shape("b").length.value, 0.4);
+  EXPECT_FALSE(file.tells(MjcfFactKind::kSizeMissing));
+  EXPECT_EQ(file.joint("j").axes[0].mimic->multiplier.value, 1);  // MuJoCo's own
+}
+
+/// MuJoCo 3.14 has the same for these corners of 2 m × 4 m × 6 m.
+TEST(Mjcf, AShellWeighsAsItsSurface) {
+  const auto file = [](const std::string& attributes) {
+    return MjcfFile(R"(<mujoco><asset><mesh name="block" inertia="shell"
+        vertex="-1 -2 -3 1 -2 -3 -1 2 -3 1 2 -3 -1 -2 3 1 -2 3 -1 2 3 1 2 3"/></asset>
+      <worldbody><body name="a"><geom type="mesh" mesh="block" )" +
+                    attributes + "/></body></worldbody></mujoco>");
+  };
+  const mass::MassProperties body = file("").mass("a");
+  EXPECT_NEAR(body.mass, 88'000, 1e-6);
+  EXPECT_NEAR(body.about_com.ixx, 541'333.3333333334, 1e-6);
+  EXPECT_NEAR(body.about_com.izz, 242'666.6666666667, 1e-6);
+  EXPECT_NEAR(file("mass='2'").mass("a").about_com.izz, 2 * 242'666.6666666667 / 88'000, 1e-9);
+}
+
+/// Numbers of MuJoCo 3.14.
+TEST(Mjcf, AMeshIsRotatedBeforeItIsScaled) {
+  const auto mass = [](const std::string& attributes) {
+    return MjcfFile(R"(<mujoco><asset><mesh name="block" inertia="exact"
+        vertex="-1 -2 -3 1 -2 -3 -1 2 -3 1 2 -3 -1 -2 3 1 -2 3 -1 2 3 1 2 3" scale="1 2 3" )" +
+                    attributes + R"(/></asset>
+      <worldbody><body name="a"><geom type="mesh" mesh="block"/></body></worldbody></mujoco>)")
+        .mass("a");
+  };
+  const auto quarter = mass("refpos='1 0 0' refquat='0.7071067811865476 0 0 0.7071067811865476'");
+  EXPECT_NEAR(quarter.mass, 288'000, 1e-6);
+  expect_near(quarter.com, {0, 2, 0});
+  EXPECT_NEAR(quarter.about_com.ixx, 8'160'000, 1e-3);
+  EXPECT_NEAR(quarter.about_com.izz, 768'000, 1e-3);
+  const auto eighth = mass("refquat='0.9238795325112867 0 0 0.3826834323650898'");
+  EXPECT_NEAR(eighth.about_com.ixx + eighth.about_com.iyy, 8'837'024.945 + 7'914'975.055, 1);
+  EXPECT_NEAR(eighth.about_com.izz, 1'200'000, 1e-3);
+}
+
+TEST(Mjcf, AMeshFileThatIsShearedIsReported) {
+  const MjcfFile file(R"(<mujoco><asset><mesh name="m" file="m.stl" scale="1 2 3"
+      refquat="0.9238795 0 0 0.3826834"/></asset></mujoco>)",
+                      {{"m.stl", ""}});
+  EXPECT_TRUE(file.tells(MjcfFactKind::kMeshSheared));
+}
+
+/// MuJoCo takes the last.
+TEST(Mjcf, AnInertialMayBeInAFrame) {
+  const MjcfFile file(R"(<mujoco><worldbody><body name="a"><freejoint/>
+    <frame pos="1 0 0" euler="0 0 90"><inertial pos="1 0 0" mass="2" diaginertia="1 2 2.5"/></frame>
+    </body></worldbody></mujoco>)");
+  const mass::MassProperties body = file.mass("a");
+  EXPECT_EQ(body.mass, 2);
+  expect_near(body.com, {1, 1, 0});
+  EXPECT_NEAR(body.about_com.ixx, 2, 1e-12);
+  const MjcfFile two(R"(<mujoco><worldbody><body name="a"><freejoint/>
+    <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
+    <frame pos="1 0 0"><inertial pos="0 0 0" mass="2" diaginertia="1 1 1"/></frame>
+    </body></worldbody></mujoco>)");
+  EXPECT_EQ(two.mass("a").mass, 2);
+}
+
+TEST(Mjcf, TheWholeWorldOfAnotherModelCanBeAttached) {
+  const MjcfFile file(R"(<mujoco><asset><model name="m" file="m.xml"/></asset>
+    <worldbody><attach model="m" body="world" prefix="p_"/></worldbody></mujoco>)",
+                      {{"m.xml", R"(<mujoco><worldbody><body name="a"><geom size="1"/></body>
+      </worldbody></mujoco>)"}});
+  EXPECT_FALSE(file.tells(MjcfFactKind::kReferenceMissing));
+  file.link("p_a");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mass/shapes.h>
+#include <rigor/mass/shell.h>
 #include <rigor/mesh/convex/hull.h>
 
 namespace rigor::mass {
@@ -78,6 +79,9 @@ std::optional<Solid> positive(const PolyhedronMoments& moments) {
   return std::nullopt;
 }
 
+/// Of a mesh that weighs as its surface: a sheet 1 m thick, so that kg/m³ are kg/m².
+std::optional<Solid> sheet_of(const mesh::TriangleMesh& mesh) { return shell_of(mesh, 1); }
+
 /// Of vertices that the model itself gives.
 std::optional<Solid> solid_of_vertices(const model::Mesh& shape, const GeomWeight& weight) {
   std::vector<model::Vector3> points = shape.vertices;
@@ -85,12 +89,13 @@ std::optional<Solid> solid_of_vertices(const model::Mesh& shape, const GeomWeigh
   for (model::Vector3& p : points) p = {s.x * p.x, s.y * p.y, s.z * p.z};
   if (shape.faces.empty() || weight.mesh_law == GeomWeight::MeshLaw::kConvex) {
     const auto hull = mesh::convex_hull(points);
+    if (hull && shape.sheet) return sheet_of(*hull);
     return hull ? positive(moments_of(*hull)) : std::nullopt;
   }
   mesh::TriangleMesh mesh;
   mesh.positions = std::move(points);
   mesh.triangles.assign(shape.faces.begin(), shape.faces.end());
-  return positive(moments_of(mesh));
+  return shape.sheet ? sheet_of(mesh) : positive(moments_of(mesh));
 }
 
 std::optional<Solid> solid_of_mesh(const model::Mesh& shape, const GeomWeight& weight,
@@ -99,8 +104,10 @@ std::optional<Solid> solid_of_mesh(const model::Mesh& shape, const GeomWeight& w
   const MeshSurvey* survey = find_mesh ? find_mesh(shape) : nullptr;
   if (survey == nullptr) return std::nullopt;
   if (!survey->usable()) {
+    if (shape.sheet) return std::nullopt;
     return survey->hull ? positive(scaled(*survey->hull, shape.scale.value)) : std::nullopt;
   }
+  if (shape.sheet) return survey->sheet;
   const MeshBody body = body_of(*survey, shape.scale.value);
   const bool hull = weight.mesh_law == GeomWeight::MeshLaw::kConvex;
   const auto& pyramids =

@@ -60,6 +60,7 @@ struct Mesh {
   /// faces the mesh is their convex hull.
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> faces;
+  bool sheet = false;  ///< MJCF: `inertia="shell"`: it weighs as its surface
 };
 
 struct Heightmap {

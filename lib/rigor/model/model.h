@@ -488,6 +488,8 @@ struct Root {
   MassSettings mass_settings;  ///< MJCF
   Parameters mujoco;           ///< URDF: what MuJoCo is told, in `<mujoco>`
   std::vector<RobotMaterial> materials;
+  /// MJCF: why it is not read to its end, and where; then this is not the robot. Not written: all is here.
+  Field<std::string> cut;
 
   const World& operator[](Id<World> id) const { return worlds[id.value]; }
   const Model& operator[](Id<Model> id) const { return models[id.value]; }

@@ -22,7 +22,7 @@ inline mass::FindMesh mesh_finder(const read::Resolver& resolver, const Sources&
     if (mesh.uri.value.empty() || mesh.uri.span.nowhere()) return nullptr;
     const auto found = resolver.resolve(mesh.uri.value, sources.path(mesh.uri.span.source));
     if (!found.path) return nullptr;
-    return &surveys.find({*found.path, mesh.submesh.value, mesh.center.value});
+    return &surveys.find(mass::mesh_choice(*found.path, mesh));
   };
 }
 

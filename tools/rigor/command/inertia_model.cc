@@ -96,7 +96,7 @@ std::string problem(const read::Loaded& loaded) {
       loaded.root.format == model::Format::kModelConfig) {
     return "is no robot model";
   }
-  return {};
+  return unread_part(loaded);
 }
 
 /// The sums of each model at the top, as written and as computed.

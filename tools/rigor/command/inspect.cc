@@ -40,6 +40,7 @@ std::string problem(const read::Loaded& loaded, const model::Frames& frames) {
   const std::string path = report::printable(loaded.file->path);
   if (!loaded.file->document->complete()) return path + " is not well-formed: this is a part of it";
   if (loaded.root.format == model::Format::kUnknown) return path + " is no robot model";
+  if (const std::string unread = unread_part(loaded); !unread.empty()) return path + ' ' + unread;
   const std::size_t lost = lost_includes(loaded);
   if (lost > 0) {
     return report::counted(lost, "include") + " could not be followed";

@@ -198,6 +198,11 @@ std::size_t lost_includes(const read::Loaded& loaded) {
   return static_cast<std::size_t>(std::count_if(loaded.facts.begin(), loaded.facts.end(), lost));
 }
 
+std::string unread_part(const read::Loaded& loaded) {
+  const model::Field<std::string>& cut = loaded.root.cut;
+  return cut.written ? "is not read to its end: " + cut.value : std::string();
+}
+
 void tell_unfollowed(const read::Loaded& loaded) {
   const auto unfollowed = [](const read::Fact& fact) {
     return fact.kind == read::FactKind::kUnfollowedInclude;

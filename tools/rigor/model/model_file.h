@@ -40,6 +40,9 @@ std::vector<std::string> model_paths(const Environment& environment,
 void require_model(const std::string& name, const std::vector<const model::Root*>& roots);
 
 /// How many includes of a model lead nowhere.
+/// What of the file was not read, in words; empty when all was.
+std::string unread_part(const read::Loaded& loaded);
+
 std::size_t lost_includes(const read::Loaded& loaded);
 
 /// Tells how many are not in the Fuel cache, so that what is said is without them.

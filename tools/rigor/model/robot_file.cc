@@ -41,6 +41,7 @@ std::string unreadable(const read::Loaded& loaded) {
     return " is no robot model";
   }
   if (loaded.root.models.empty()) return " has no model";
+  if (const std::string unread = unread_part(loaded); !unread.empty()) return ' ' + unread;
   const std::size_t lost = lost_includes(loaded);
   if (lost == 0) return {};
   return ": " + report::counted(lost, "include") + " could not be followed";

@@ -61,6 +61,12 @@ MjcfPlan::MjcfPlan(const FromMjcfSource& from, const FromMjcfOptions& how, MjcfT
     return;
   }
   refuse_missing_files();
+  if (all.cut.written) {
+    refusals.push_back({.kind = NoteKind::kUnresolved,
+                        .where = all.cut.span,
+                        .written = all.cut.value + ", and the file is not read to its end"});
+    return;
+  }
   robot = robot::robot_of(all, source.source.frames, {0}, source.lookups);
   for (const std::string& unknown : robot.unknown) {
     refusals.push_back({.kind = NoteKind::kUnresolved,

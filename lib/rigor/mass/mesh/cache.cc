@@ -138,6 +138,10 @@ MeshFacts MeshCache::facts(const Disk& disk, const std::string& path, MeshDepth 
 }
 
 MeshSurvey MeshCache::survey(const Disk& disk, const MeshChoice& choice, MeshReads* reads) const {
+  // Rare, and not worth an entry of its own for each scale.
+  if (choice.sheet_scale) {
+    return reads ? survey_mesh(disk, choice, *reads) : survey_mesh(disk, choice, workers_);
+  }
   const std::string what = "survey " + std::to_string(choice.center) + choice.submesh;
   return find<MeshSurvey>(disk, choice.path, what, [&](const WitnessDisk& asked) {
     MeshSurvey survey =

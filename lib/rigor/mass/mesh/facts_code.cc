@@ -170,7 +170,8 @@ void members(mesh::Winding& v, const Use& use) {
 template <class Use>
 void members(MeshSurvey& v, const Use& use) {
   auto& [format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids,
-         pyramids_as_wound] = v;
+         pyramids_as_wound, sheet] = v;
+  static_cast<void>(sheet);  // one with a sheet is not kept
   use(format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids,
       pyramids_as_wound);
 }

@@ -11,6 +11,7 @@
 #include <rigor/mass/mesh/facet_stream.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/pyramids.h>
+#include <rigor/mass/shell.h>
 #include <rigor/mesh/convex/hull.h>
 #include <rigor/mesh/select.h>
 #include <rigor/mesh/stl/stl.h>
@@ -67,6 +68,11 @@ void move_to_center(TriangleMesh& mesh) {
   for (model::Vector3& p : mesh.positions) p = p - center;
 }
 
+TriangleMesh stretched(TriangleMesh mesh, const model::Vector3& s) {
+  for (model::Vector3& p : mesh.positions) p = {s.x * p.x, s.y * p.y, s.z * p.z};
+  return mesh;
+}
+
 FacetSums sums_of(const TriangleMesh& mesh) {
   const mesh::Bounds bounds = mesh::bounds_of(mesh::used_positions(mesh));
   FacetSums sums(bounds);
@@ -111,7 +117,7 @@ void add_hull(const TriangleMesh& mesh, MeshSurvey& survey) {
 
 /// Of a plain binary STL whose triangles say what they enclose.
 std::optional<MeshSurvey> streamed(const Disk& disk, const MeshChoice& choice, unsigned threads) {
-  if (!choice.submesh.empty() || choice.center) return std::nullopt;
+  if (!choice.submesh.empty() || choice.center || choice.sheet_scale) return std::nullopt;
   const auto file = disk.open(choice.path);
   const auto sums = file ? stream(*file, threads) : std::nullopt;
   if (!sums) return std::nullopt;
@@ -142,10 +148,17 @@ MeshSurvey survey_of(const mesh::LoadedMesh& loaded, const MeshChoice& choice) {
   }
   take(sums_of(mesh), survey);
   if (needs_hull(survey)) add_hull(mesh, survey);
+  if (choice.sheet_scale) survey.sheet = shell_of(stretched(mesh, *choice.sheet_scale), 1);
   return survey;
 }
 
 }  // namespace
+
+MeshChoice mesh_choice(const std::string& path, const model::Mesh& mesh) {
+  MeshChoice choice{path, mesh.submesh.value, mesh.center.value};
+  if (mesh.sheet) choice.sheet_scale = mesh.scale.value;
+  return choice;
+}
 
 bool MeshSurvey::usable() const {
   return std::none_of(faults.begin(), faults.end(),
@@ -169,7 +182,8 @@ MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, MeshReads& re
 }
 
 const MeshSurvey& MeshSurveys::find(const MeshChoice& choice) {
-  return known_.find({choice.path, choice.submesh, choice.center}, [&] {
+  const model::Vector3 s = choice.sheet_scale.value_or(model::Vector3{});
+  return known_.find({choice.path, choice.submesh, choice.center, {s.x, s.y, s.z}}, [&] {
     const auto [cache, reads, workers] = memory_;
     if (cache) return cache->survey(disk_, choice, reads);
     if (reads) return survey_mesh(disk_, choice, *reads);

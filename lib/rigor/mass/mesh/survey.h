@@ -13,6 +13,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,7 @@
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/topology/topology.h>
 #include <rigor/mesh/topology/winding.h>
+#include <rigor/model/geometry.h>
 #include <rigor/process/workers.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/found_once.h>
@@ -37,7 +39,12 @@ struct MeshChoice {
   std::string path;
   std::string submesh = {};  ///< name of a part; empty for the whole
   bool center = false;       ///< the part is moved so that the middle of its bounds is the origin
+  /// With this scale it is weighed as a sheet as well: what has an area, scaled unevenly, has another one.
+  std::optional<model::Vector3> sheet_scale = {};
 };
+
+/// The file of the shape's mesh at that path.
+MeshChoice mesh_choice(const std::string& path, const model::Mesh& mesh);
 
 struct MeshSurvey {
   mesh::Format format = mesh::Format::kUnknown;
@@ -55,6 +62,8 @@ struct MeshSurvey {
   /// Likewise, as MuJoCo weighs it (pyramids.h).
   std::optional<PolyhedronMoments> pyramids;
   std::optional<PolyhedronMoments> pyramids_as_wound;
+  /// Of the surface, scaled, 1 m thick; where it was asked for and there is a surface.
+  std::optional<Solid> sheet;
 
   bool usable() const;  ///< no fault is fatal
 };
@@ -79,7 +88,7 @@ class MeshSurveys {
  private:
   const Disk& disk_;
   MeshMemory memory_;
-  FoundOnce<std::tuple<std::string, std::string, bool>, MeshSurvey> known_;
+  FoundOnce<std::tuple<std::string, std::string, bool, std::array<double, 3>>, MeshSurvey> known_;
 };
 
 /// Overlap up to this share of the inside is taken for the modeler's way to join parts.

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <deque>
-#include <set>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,19 +17,30 @@
 #include <rigor/read/mjcf/mjcf_checks.h>
 #include <rigor/read/mjcf/mjcf_geom.h>
 #include <rigor/read/mjcf/mjcf_joint.h>
+#include <rigor/read/mjcf/mjcf_naming.h>
 #include <rigor/read/mjcf/mjcf_pose.h>
 #include <rigor/read/mjcf/mjcf_scope.h>
 #include <rigor/text/path.h>
+#include <rigor/xml/fault.h>
 
 namespace rigor::read {
 namespace {
 
 using model::Id;
 
-/// Copies of copies multiply: a file of a line could bring a billion.
-constexpr std::size_t kMaxMjcfParts = 100'000;
-/// Files attach files that attach files.
-constexpr std::size_t kMaxAttached = 200;
+/// Of links, joints, shapes and sites, as many as the includes of SDF may bring. Copies of copies multiply: a file of
+/// a line could bring a billion.
+constexpr std::size_t kMaxMjcfParts = 200'000;
+/// Of elements and copies that are looked at, whether a part comes of them or not: some seconds.
+constexpr std::size_t kMaxMjcfVisits = 4'000'000;
+/// So many bytes of a name count as a visit: each copy has a name of its own.
+constexpr std::size_t kNameBytesOfVisit = 16;
+/// Of an element in what is included and attached. Files of that depth, one in another, are read.
+constexpr int kMaxNested = 2 * xml::kMaxDepth;
+/// Each is scaled by the sum of all.
+constexpr std::size_t kMaxScaledBodies = 3000;
+/// Files attach files that attach files. Each is held with its own defaults and assets.
+constexpr std::size_t kMaxAttached = 1000;
 constexpr std::string_view kWorld = "world";
 
 /// Digits of a copy's number, as many as the count has.
@@ -56,6 +68,10 @@ class MjcfReader {
     if (solid) place.link = add_link(site_of(worlds.front()), std::string(kWorld));
     for (const xml::Element world : worlds) read_parts(world, place);
     for (const xml::Element world : worlds) read_bodies(world, place);
+    if (root_.mass_settings.total_mass > 0 && root_.links.size() > kMaxScaledBodies) {
+      refuse(scope.tree.root(),
+             "settotalmass scales more than " + std::to_string(kMaxScaledBodies) + " bodies");
+    }
     for (const MjcfScope& one : scopes_) read_mjcf_couplings(one, joints_, root_);
     check(scope);
     return scope.tree.includes();
@@ -84,18 +100,38 @@ class MjcfReader {
     return false;
   }
 
-  bool is_full() const {
-    return root_.links.size() + root_.collisions.size() + root_.visuals.size() > kMaxMjcfParts;
+  /// Whether as much more may be looked at. What is left out is reported, once: where it is in the main file.
+  bool has_room(xml::Element at, std::size_t visits = 1) {
+    visits_ += visits;
+    if (depth_ > kMaxNested) {
+      refuse(at, "attached models are nested below more than " + std::to_string(kMaxNested) +
+                     " elements");
+      return false;
+    }
+    if (visits_ <= kMaxMjcfVisits && parts_ <= kMaxMjcfParts) return true;
+    refuse(at, "copies and attached models bring more than 200,000 parts");
+    return false;
   }
 
-  std::string name_of(xml::Element element, const MjcfPlace& place) const {
-    const std::string name = string_field(attribute_text(element, "name")).value;
-    return name.empty() ? name : place.scope->prefix + name + place.suffix;
+  void refuse(xml::Element at, std::string why) {
+    if (refused_) return;
+    refused_ = true;
+    facts_.push_back({.kind = MjcfFactKind::kTooLarge,
+                      .where = attached_at_.value_or(at.tag_span()),
+                      .detail = why});
+    root_.cut = {std::move(why), facts_.back().where, true};
+  }
+
+  std::string name_of(xml::Element element, const MjcfPlace& place) {
+    std::string name = mjcf_name(element, "name").value;
+    if (!name.empty()) name = place.scope->prefix + name + place.suffix;
+    visits_ += name.size() / kNameBytesOfVisit;
+    return name;
   }
 
   std::size_t class_in(xml::Element element, std::string_view attribute, std::size_t around,
                        const MjcfScope& scope) {
-    const auto name = string_field(attribute_text(element, attribute));
+    const auto name = mjcf_name(element, attribute);
     if (!name.written) return around;
     return scope.defaults.find(name.value).value_or(around);
   }
@@ -105,20 +141,12 @@ class MjcfReader {
     return place.scope->defaults.values(element, element.name(), id);
   }
 
-  Id<model::Link> add_link(const model::Site& site, std::string name) {
+  Id<model::Link> add_link(const model::Site& site, const std::string& name) {
     const Id<model::Link> id = next_id(root_.links);
-    if (name.empty()) name = "body" + std::to_string(id.value);
-    for (int copy = 2; !link_names_.insert(name).second; ++copy) {
-      // Said elsewhere to be repeated; here each must be found by its name.
-      const std::string again = name + "_" + std::to_string(copy);
-      if (link_names_.insert(again).second) {
-        name = again;
-        break;
-      }
-    }
+    ++parts_;
     model::Link link;
     link.site = site;
-    link.name = {std::move(name), site.name, true};
+    link.name = {naming_.link(name, id.value), site.name, true};
     link.model = model_;
     link.gravity.value = true;
     root_.links.push_back(std::move(link));
@@ -129,8 +157,15 @@ class MjcfReader {
   /// Calls `use` with each element in the body, with frames and copies around it resolved.
   template <class Use>
   void each(xml::Element parent, const MjcfPlace& place, const Use& use) {
+    ++depth_;
+    each_child(parent, place, use);
+    --depth_;
+  }
+
+  template <class Use>
+  void each_child(xml::Element parent, const MjcfPlace& place, const Use& use) {
     for (const xml::Element child : place.scope->tree.children(parent)) {
-      if (is_full()) return;
+      if (!has_room(child)) return;
       const std::string_view tag = child.name();
       if (tag == "frame") {
         MjcfPlace inside = place;
@@ -150,16 +185,19 @@ class MjcfReader {
   void replicate(xml::Element element, const MjcfPlace& place, const Use& use) {
     const MjcfValues values(element, {});
     const double written = values.number("count", 0).value;
-    if (!(written >= 1 && written <= static_cast<double>(kMaxMjcfParts))) return;
+    if (!(written >= 1)) return;
+    if (written > static_cast<double>(kMaxMjcfVisits))
+      return void(has_room(element, kMaxMjcfVisits));
     const auto count = static_cast<std::size_t>(written);
-    const std::string separator = string_field(attribute_text(element, "sep")).value;
+    const std::string separator = mjcf_name(element, "sep").value;
     const model::Pose step{values.vector("offset", {}).value,
                            mjcf_orientation(values, place.scope->settings)};
     model::Pose X;
-    for (std::size_t i = 0; i < count && !is_full(); ++i) {
+    for (std::size_t i = 0; i < count && has_room(element); ++i) {
       MjcfPlace inside = place;
       inside.X_BF = compose(place.X_BF, X);
       inside.suffix = separator + copy_number(i, count) + place.suffix;
+      visits_ += inside.suffix.size() / kNameBytesOfVisit;
       each(element, inside, use);
       X = compose(X, step);
     }
@@ -198,6 +236,7 @@ class MjcfReader {
       // A free joint has no defaults.
       const MjcfValues values =
           child.name() == "joint" ? values_of(child, at) : MjcfValues(child, {});
+      ++parts_;
       joints.push_back(mjcf_joint(values, at));
       joints.back().name = {name_of(child, at), joints.back().site.name, true};
       if (const auto text = attribute_text(child, "name")) joints.back().name.span = text->span;
@@ -223,6 +262,7 @@ class MjcfReader {
       joint.site = site;
       joint.type = model::JointType::kFixed;
       joints.push_back(std::move(joint));
+      ++parts_;
     }
     std::string parent = link_name(around);
     // A pose in the world without a link is one in the model.
@@ -241,6 +281,8 @@ class MjcfReader {
       }
       model::Link& made = root_.links[link.value];
       made.pose.pose.value = i == 0 ? X_PB : model::Pose{};
+      made.pose.site = site;
+      made.pose.pose.span = site.tag;
       made.pose.pose.written = i == 0;
       made.pose.relative_to.value = above;
       if (joint.name.value.empty()) {
@@ -253,6 +295,7 @@ class MjcfReader {
       parent = above = made.name.value;
       const Id<model::Joint> id = next_id(root_.joints);
       joints_.try_emplace(joint.name.value, id);
+      naming_.joint(joint.name.value);
       root_.models[model_.value].joints.push_back(id);
       root_.joints.push_back(std::move(joint));
     }
@@ -263,31 +306,40 @@ class MjcfReader {
     using From = MjcfSettings::InertiaFromGeom;
     const MjcfSettings& settings = place.scope->settings;
     if (settings.inertia_from_geom == From::kTrue) return;
-    for (const xml::Element child : place.scope->tree.children(body)) {
-      if (child.name() != "inertial") continue;
+    each(body, place, [&](xml::Element child, const MjcfPlace& at) {
+      // MuJoCo takes it from frames, but not into copies.
+      if (child.name() != "inertial" || at.suffix != place.suffix) return;
       const MjcfValues values(child, {});
-      model::Inertial& inertial = root_.links[place.link.value].inertial;
+      model::Inertial inertial;
       inertial.site = inertial.tensor_site = inertial.pose.site = site_of(child);
       inertial.written = inertial.tensor_written = true;
       inertial.mass = values.number("mass", 0);
-      inertial.pose.pose = {mjcf_pose(values, settings), child.tag_span(), true};
-      const auto tensor = [&](std::string_view name, std::size_t count) {
-        const std::vector<double> n = values.numbers(name);
-        if (n.size() != count) return false;
-        const Span span = values.text(name)->span;
-        const auto field = [span](double value) { return model::Field<double>{value, span, true}; };
-        inertial.ixx = field(n[0]);
-        inertial.iyy = field(n[1]);
-        inertial.izz = field(n[2]);
-        if (count == 3) return true;
-        inertial.ixy = field(n[3]);
-        inertial.ixz = field(n[4]);
-        inertial.iyz = field(n[5]);
-        return true;
-      };
-      if (!tensor("fullinertia", 6)) tensor("diaginertia", 3);
-      return;
+      inertial.pose.pose = {compose(at.X_BF, mjcf_pose(values, settings)), child.tag_span(), true};
+      if (!read_tensor(values, "fullinertia", 6, inertial)) {
+        read_tensor(values, "diaginertia", 3, inertial);
+      }
+      root_.links[place.link.value].inertial = std::move(inertial);
+    });
+  }
+
+  static bool read_tensor(const MjcfValues& values, std::string_view name, std::size_t count,
+                          model::Inertial& inertial) {
+    const std::vector<double> n = values.numbers(name);
+    if (n.size() != count) return false;
+    const Span span = values.text(name)->span;
+    const auto field = [span](double value) { return model::Field<double>{value, span, true}; };
+    inertial.ixx = field(n[0]);
+    inertial.iyy = field(n[1]);
+    inertial.izz = field(n[2]);
+    if (count == 3) {
+      // That the products are zero is said as well.
+      inertial.ixy = inertial.ixz = inertial.iyz = field(0);
+      return true;
     }
+    inertial.ixy = field(n[3]);
+    inertial.ixz = field(n[4]);
+    inertial.iyz = field(n[5]);
+    return true;
   }
 
   /// Whether shapes decide what the body weighs.
@@ -303,7 +355,7 @@ class MjcfReader {
     if (!place.link) return;
     const MjcfValues values = values_of(element, place);
     MjcfScope& scope = *place.scope;
-    const std::string own = string_field(attribute_text(element, "name")).value;
+    const std::string own = mjcf_name(element, "name").value;
     const bool paired = !own.empty() && scope.in_pairs.contains(own);
     MjcfGeom geom =
         mjcf_geom(values, scope.settings, scope.assets, paired ? InPair::kYes : InPair::kNo);
@@ -331,6 +383,7 @@ class MjcfReader {
       visual.material.rgba = geom.rgba;
       visual.transparency.value = 1 - geom.rgba[3];
       if (!geom.touches) visual.weight = geom.weight;
+      ++parts_;
       link.visuals.push_back(next_id(root_.visuals));
       root_.visuals.push_back(std::move(visual));
     }
@@ -345,6 +398,7 @@ class MjcfReader {
     const std::vector<double> friction = values.numbers("friction");
     const double mu = friction.empty() ? 1 : friction.front();
     collision.surface.mu = collision.surface.mu2 = {mu, element.tag_span(), !friction.empty()};
+    ++parts_;
     link.collisions.push_back(next_id(root_.collisions));
     root_.collisions.push_back(std::move(collision));
   }
@@ -362,16 +416,17 @@ class MjcfReader {
     frame.attached_to.value = link_name(place);
     frame.pose.site = frame.site;
     frame.pose.pose = {compose(place.X_BF, X), element.tag_span(), true};
+    ++parts_;
     frames_.push_back(std::move(frame));
   }
 
   /// The file that an attach names; its own without a name.
   const File* attached_file(xml::Element element, const MjcfScope& scope) {
-    const auto name = string_field(attribute_text(element, "model"));
+    const auto name = mjcf_name(element, "model");
     if (!name.written) return &scope.tree.file();
     const auto asset = scope.assets.models.find(name.value);
     if (asset == scope.assets.models.end()) return nullptr;
-    const auto file = string_field(attribute_text(asset->second, "file"));
+    const auto file = mjcf_name(asset->second, "file");
     const std::string path = join_path(parent_path(scope.tree.file().path), file.value);
     if (workspace_.disk().kind(path) != PathKind::kFile) return nullptr;
     const File& inner = workspace_.open(path);
@@ -381,20 +436,61 @@ class MjcfReader {
 
   void attach(xml::Element element, const MjcfPlace& place) {
     const File* file = attached_file(element, *place.scope);
-    if (file == nullptr || scopes_.size() > kMaxAttached) return;
-    const std::string prefix = string_field(attribute_text(element, "prefix")).value;
+    if (file == nullptr) return;
+    // A model is not attached to itself as a whole.
+    if (!element.attribute("model") && !element.attribute("body") && !element.attribute("frame")) {
+      if (place.scope != &scopes_.front()) return;
+      facts_.push_back({.kind = MjcfFactKind::kAttributeMissing,
+                        .where = element.tag_span(),
+                        .name = "attach",
+                        .detail = "body or frame"});
+      return;
+    }
+    if (place.scope == &scopes_.front() && place.suffix.empty()) check_prefix(element);
+    const bool outermost = !attached_at_;
+    if (outermost) attached_at_ = element.tag_span();
+    if (scopes_.size() > kMaxAttached) {
+      refuse(element, "more than " + std::to_string(kMaxAttached) + " models are attached");
+    } else if (has_room(element, file->document->element_count() +
+                                     place.scope->prefix.size() / kNameBytesOfVisit)) {
+      // To find what is attached takes a look at all of the file.
+      attach_file(element, *file, place);
+    }
+    if (outermost) attached_at_.reset();
+  }
+
+  /// The same part with the same prefix has the same names.
+  void check_prefix(xml::Element element) {
+    std::string key;
+    for (const char* attribute : {"model", "body", "frame", "prefix"}) {
+      key += mjcf_name(element, attribute).value + '\n';
+    }
+    const auto [known, is_new] = attached_.try_emplace(std::move(key), element.tag_span());
+    if (is_new) return;
+    const bool of_frame = element.attribute("frame").has_value();
+    const char* part = of_frame ? "frame" : "body";
+    facts_.push_back({.kind = MjcfFactKind::kNameRepeated,
+                      .where = element.tag_span(),
+                      .name = mjcf_name(element, "prefix").value + mjcf_name(element, part).value,
+                      .detail = part,
+                      .related = known->second});
+  }
+
+  void attach_file(xml::Element element, const File& file, const MjcfPlace& place) {
+    const std::string prefix = mjcf_name(element, "prefix").value;
     MjcfFacts of_its_own;  // told when that file is checked
     MjcfScope& scope =
-        scopes_.emplace_back(workspace_, *file, place.scope->prefix + prefix, of_its_own);
+        scopes_.emplace_back(workspace_, file, place.scope->prefix + prefix, of_its_own);
     if (place.scope == &scopes_.front()) {
       check_mjcf_attached(*place.scope, scope, element, facts_);
     }
     MjcfPlace inside = place;
     inside.scope = &scope;
     inside.class_id = MjcfDefaults::kMain;
-    const auto body = string_field(attribute_text(element, "body"));
-    const auto frame = string_field(attribute_text(element, "frame"));
+    const auto body = mjcf_name(element, "body");
+    const auto frame = mjcf_name(element, "frame");
     const std::string& name = body.written ? body.value : frame.value;
+    bool is_there = !body.written && !frame.written;
     for (const xml::Element section : scope.tree.children(scope.tree.root())) {
       if (section.name() != "worldbody") continue;
       if (!body.written && !frame.written) {
@@ -402,8 +498,12 @@ class MjcfReader {
         read_bodies(section, inside);
         continue;
       }
-      const auto found = find_named(scope.tree, section, body.written ? "body" : "frame", name);
+      const bool whole = body.written && name == kWorld;
+      const auto found =
+          whole ? std::optional(section)
+                : find_named(scope.tree, section, body.written ? "body" : "frame", name);
       if (!found) continue;
+      is_there = true;
       if (body.written) {
         read_body(*found, inside);
       } else {
@@ -413,13 +513,18 @@ class MjcfReader {
         read_bodies(*found, inside);
       }
     }
+    if (is_there || place.scope != &scopes_.front()) return;
+    facts_.push_back({.kind = MjcfFactKind::kReferenceMissing,
+                      .where = body.written ? body.span : frame.span,
+                      .name = name,
+                      .detail = body.written ? "body" : "frame"});
   }
 
   static std::optional<xml::Element> find_named(const MjcfTree& tree, xml::Element parent,
                                                 std::string_view tag, std::string_view name) {
     for (const xml::Element child : tree.children(parent)) {
       if (child.name() == tag) {
-        if (string_field(attribute_text(child, "name")).value == name) return child;
+        if (mjcf_name(child, "name").value == name) return child;
       }
       if (auto found = find_named(tree, child, tag, name)) return found;
     }
@@ -430,9 +535,7 @@ class MjcfReader {
   /// Sites last: a name that a body or joint has is theirs.
   void add_frames() {
     for (model::Frame& frame : frames_) {
-      std::string& name = frame.name.value;
-      while (link_names_.contains(name) || joints_.contains(name)) name += "_site";
-      if (!link_names_.insert(name).second) continue;
+      frame.name.value = naming_.frame(frame.name.value);
       root_.models[model_.value].frames.push_back(next_id(root_.frames));
       root_.frames.push_back(std::move(frame));
     }
@@ -444,9 +547,14 @@ class MjcfReader {
   MjcfFacts& facts_;
   Id<model::Model> model_;
   std::deque<MjcfScope> scopes_;  // places point to them
-  std::set<std::string, std::less<>> link_names_;
+  MjcfNaming naming_;
   MjcfJoints joints_;
   std::vector<model::Frame> frames_;
+  std::size_t visits_ = 0, parts_ = 0;  // see has_room
+  int depth_ = 0;                       // of elements, through what is attached
+  bool refused_ = false;
+  std::map<std::string, Span> attached_;  // by what is attached and its prefix
+  std::optional<Span> attached_at_;       // the attach of the main file that is followed
 };
 
 }  // namespace

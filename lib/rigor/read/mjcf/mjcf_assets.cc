@@ -3,6 +3,9 @@
 
 #include <rigor/read/mjcf/mjcf_assets.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <rigor/text/path.h>
 
 namespace rigor::read {
@@ -43,6 +46,33 @@ void add_vertices(const MjcfValues& values, model::Mesh& mesh) {
   }
 }
 
+/// MuJoCo takes `refpos` from each vertex, rotates the rest by R, the inverse of `refquat`, and scales last: S R (v - p).
+/// A pose rotates last: that is R (RᵀS R) v, where RᵀS R is a scale if R only swaps axes that S scales otherwise.
+void place_reference(MjcfMesh& asset, const model::Vector3& p, const model::Quaternion& R) {
+  model::Mesh& mesh = asset.mesh;
+  const model::Vector3 s = mesh.scale.value;
+  const auto stretched = [&s](const model::Vector3& v) {
+    return model::Vector3{s.x * v.x, s.y * v.y, s.z * v.z};
+  };
+  const std::array<model::Vector3, 3> axes{rotate(R, {1, 0, 0}), rotate(R, {0, 1, 0}),
+                                           rotate(R, {0, 0, 1})};
+  const auto entry = [&](std::size_t i, std::size_t k) { return dot(axes[i], stretched(axes[k])); };
+  constexpr double kRounding = 1e-9;
+  const double most = std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)});
+  const bool is_scale = std::max({std::abs(entry(0, 1)), std::abs(entry(0, 2)),
+                                  std::abs(entry(1, 2))}) <= kRounding * most;
+  if (!is_scale && !mesh.vertices.empty()) {
+    for (model::Vector3& v : mesh.vertices) v = stretched(rotate(R, v - p));
+    mesh.scale.value = {1, 1, 1};
+    return;
+  }
+  asset.sheared = !is_scale;
+  const model::Vector3 back = stretched(rotate(R, p));
+  asset.X_RM = {{-back.x, -back.y, -back.z}, R};
+  const bool even = s.x == s.y && s.y == s.z;  // then to the last bit
+  if (!even) mesh.scale.value = {entry(0, 0), entry(1, 1), entry(2, 2)};
+}
+
 MjcfMesh mesh_asset(const MjcfTree& tree, const MjcfSettings& settings, const MjcfValues& values) {
   MjcfMesh asset;
   asset.site = site_of(values.element());
@@ -56,14 +86,13 @@ MjcfMesh mesh_asset(const MjcfTree& tree, const MjcfSettings& settings, const Mj
     add_vertices(values, asset.mesh);
     asset.built_in = values.text("builtin") || values.element().child("plugin");
   }
-  const model::Vector3& s = asset.mesh.scale.value;
   const model::Vector3 p = values.vector("refpos", {}).value;
   const std::vector<double> q = values.numbers("refquat");
   model::Quaternion turn;
   if (q.size() == 4) turn = conjugate(model::normalized({q[0], q[1], q[2], q[3]}));
-  const model::Vector3 back = rotate(turn, p);
-  asset.X_RM = {{-s.x * back.x, -s.y * back.y, -s.z * back.z}, turn};
-  if (const auto law = values.text("inertia")) asset.law = mesh_law(trimmed(law->text));
+  place_reference(asset, p, turn);
+  if (const auto law = values.text("inertia")) asset.law = mesh_law(law->text);
+  asset.mesh.sheet = asset.law == Law::kShell;
   return asset;
 }
 
@@ -83,7 +112,7 @@ MjcfAssets mjcf_assets(const MjcfTree& tree, const MjcfSettings& settings,
   MjcfAssets assets;
   for (const xml::Element element : tree.in_sections("asset")) {
     const std::string_view tag = element.name();
-    const std::string class_name = string_field(attribute_text(element, "class")).value;
+    const std::string class_name = mjcf_name(element, "class").value;
     const auto class_id = defaults.find(class_name).value_or(MjcfDefaults::kMain);
     const MjcfValues values = defaults.values(element, tag, class_id);
     const std::string name = asset_name(values);

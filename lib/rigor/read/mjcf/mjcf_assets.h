@@ -24,6 +24,7 @@ struct MjcfMesh {
   /// What `refpos` and `refquat` do: the pose of the file's frame, scaled, in the mesh's frame.
   model::Pose X_RM;
   model::GeomWeight::MeshLaw law = model::GeomWeight::MeshLaw::kLegacy;
+  bool sheared = false;   ///< by an uneven scale after a rotation: here it is not
   bool built_in = false;  ///< `builtin`, or by a plugin: rigor does not make its vertices
 };
 

@@ -38,12 +38,23 @@ void check_mjcf_plugins(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_attached(const MjcfScope& scope, const MjcfScope& attached, xml::Element element,
                          MjcfFacts& facts);
 void check_mjcf_bodies(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_places(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_values(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_targets(const MjcfScope& scope, MjcfFacts& facts);
+/// Of a joint or tendon: whether the switch, `limited`, goes with the range.
+void check_mjcf_range(const MjcfValues& values, const MjcfSettings& settings,
+                      std::string_view range, std::string_view limited, MjcfFacts& facts);
+void check_mjcf_plausibility(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_states(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_contacts(const MjcfScope& scope, MjcfFacts& facts);
 void check_mjcf_actuators(const MjcfScope& scope, MjcfFacts& facts);
 /// Against the positions, velocities and controls that the bodies and actuators have.
 void check_mjcf_keyframes(const MjcfScope& scope, MjcfFacts& facts);
 
 /// The class that an element has: its own, else that of the bodies and frames around it.
+/// So many digits of a number at most, independent of the locale.
+std::string mjcf_digits(double value, int digits = 4);
+
 std::size_t mjcf_class_of(const MjcfScope& scope, xml::Element element, std::size_t around);
 
 /// Calls `use(section, element)` for all elements below the root, with the name of the section that they are in.
@@ -57,8 +68,7 @@ void for_each_in_bodies(const MjcfScope& scope, xml::Element parent, std::size_t
   for (const xml::Element child : scope.tree.children(parent)) {
     const std::string_view tag = child.name();
     std::size_t inside = class_id;
-    if (const auto childclass = string_field(attribute_text(child, "childclass"));
-        childclass.written) {
+    if (const auto childclass = mjcf_name(child, "childclass"); childclass.written) {
       inside = scope.defaults.find(childclass.value).value_or(class_id);
     }
     use(child, mjcf_class_of(scope, child, class_id));

@@ -4,6 +4,7 @@
 #include <rigor/read/mjcf/mjcf_defaults.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <rigor/read/mjcf/mjcf_settings.h>
 
@@ -19,7 +20,9 @@ std::optional<Text> MjcfValues::text(std::string_view name) const {
 
 model::Field<std::string> MjcfValues::string(std::string_view name,
                                              std::string_view fallback) const {
-  return string_field(text(name), fallback);
+  const auto given = text(name);
+  if (!given) return {std::string(fallback), {}, false};
+  return {std::string(given->text), given->span, true};
 }
 
 model::Field<double> MjcfValues::number(std::string_view name, double fallback) const {
@@ -32,9 +35,19 @@ model::Field<double> MjcfValues::number(std::string_view name, double fallback) 
 }
 
 std::vector<double> MjcfValues::numbers(std::string_view name) const {
-  const auto given = text(name);
-  if (!given) return {};
-  return mjcf_numbers(given->text).value_or(std::vector<double>{});
+  std::vector<double> all;
+  const auto add_missing = [&](const std::optional<Text>& given) {
+    const auto list = given ? mjcf_numbers(given->text) : std::nullopt;
+    if (!list) return !given;
+    for (std::size_t i = all.size(); i < list->size(); ++i) all.push_back((*list)[i]);
+    return true;
+  };
+  // MuJoCo reads each list over the one of the class around it.
+  if (!add_missing(attribute_text(own_, name))) return {};
+  for (const xml::Element element : defaults_) {
+    if (!add_missing(attribute_text(element, name))) break;
+  }
+  return all;
 }
 
 model::Field<model::Vector3> MjcfValues::vector(std::string_view name,
@@ -47,20 +60,20 @@ model::Field<model::Vector3> MjcfValues::vector(std::string_view name,
 
 bool MjcfValues::is_true(std::string_view name) const {
   const auto given = text(name);
-  return given && trimmed(given->text) == "true";
+  return given && given->text == "true";
 }
 
 MjcfDefaults::MjcfDefaults(const MjcfTree& tree, MjcfFacts& facts) {
-  classes_.push_back({"main", kMain, {}});
+  add("main", kMain);
   for (const xml::Element section : tree.children(tree.root())) {
     if (section.name() != "default") continue;
-    const std::string name = string_field(attribute_text(section, "class")).value;
+    const std::string name = mjcf_name(section, "class").value;
     if (name.empty() || name == "main") {
       read(tree, section, kMain, facts);
     } else if (const auto known = find(name)) {
       read(tree, section, *known, facts);
     } else {
-      classes_.push_back({name, kMain, {}});
+      add(name, kMain);
       read(tree, section, classes_.size() - 1, facts);
     }
   }
@@ -74,20 +87,30 @@ void MjcfDefaults::read(const MjcfTree& tree, xml::Element element, std::size_t 
   }
   for (const xml::Element child : children) {
     if (child.name() != "default") continue;
-    const auto name = string_field(attribute_text(child, "class"));
+    const auto name = mjcf_name(child, "class");
     if (const auto known = find(name.value); known && !name.value.empty()) {
       facts.push_back({MjcfFactKind::kClassRepeated, name.span, {}, name.value});
     }
-    classes_.push_back({name.value, into, {}});
+    if (name.value.empty()) {
+      facts.push_back({.kind = MjcfFactKind::kAttributeMissing,
+                       .where = name.written ? name.span : child.tag_span(),
+                       .name = "default",
+                       .detail = "class"});
+    }
+    add(name.value, into);
     read(tree, child, classes_.size() - 1, facts);
   }
 }
 
 std::optional<std::size_t> MjcfDefaults::find(std::string_view name) const {
-  const auto found = std::find_if(classes_.begin(), classes_.end(),
-                                  [name](const Class& one) { return one.name == name; });
-  if (found == classes_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - classes_.begin());
+  const auto found = index_.find(name);
+  return found == index_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void MjcfDefaults::add(std::string name, std::size_t parent) {
+  // No name finds a class without one.
+  if (!name.empty()) index_.try_emplace(name, classes_.size());
+  classes_.push_back({std::move(name), parent, {}});
 }
 
 std::vector<std::string> MjcfDefaults::names() const {

@@ -12,6 +12,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,7 +40,7 @@ class MjcfValues {
   model::Field<std::string> string(std::string_view name, std::string_view fallback = {}) const;
   /// The first number of the attribute.
   model::Field<double> number(std::string_view name, double fallback) const;
-  /// Those that there are; what cannot be read is none.
+  /// Those that there are, the ones that the element does not give from its class; what cannot be read is none.
   std::vector<double> numbers(std::string_view name) const;
   model::Field<model::Vector3> vector(std::string_view name, model::Vector3 fallback) const;
   bool is_true(std::string_view name) const;
@@ -67,9 +69,11 @@ class MjcfDefaults {
     std::size_t parent;
     std::vector<xml::Element> elements;  // in their order
   };
+  void add(std::string name, std::size_t parent);
   void read(const MjcfTree& tree, xml::Element element, std::size_t into, MjcfFacts& facts);
 
   std::vector<Class> classes_;
+  std::map<std::string, std::size_t, std::less<>> index_;  // the first of each name
 };
 
 }  // namespace rigor::read

@@ -94,9 +94,7 @@ std::string path_fault(const std::vector<xml::Element>& path) {
   const auto is = [&](std::size_t i, std::string_view tag) {
     return i < path.size() && path[i].name() == tag;
   };
-  const auto name_at = [&](std::size_t i) {
-    return string_field(attribute_text(path[i], path[i].name())).value;
-  };
+  const auto name_at = [&](std::size_t i) { return mjcf_name(path[i], path[i].name()).value; };
   if (path.empty()) return "its path is empty";
   if (path.size() < 2) return "its path has one object, and needs two";
   if (is(path.size() - 1, "pulley")) return "its path ends with a pulley";
@@ -129,7 +127,7 @@ void check_tendon(const MjcfTree& tree, xml::Element tendon, MjcfFacts& facts) {
   if (why.empty()) return;
   facts.push_back({.kind = MjcfKind::kTendonPath,
                    .where = tendon.tag_span(),
-                   .name = string_field(attribute_text(tendon, "name")).value,
+                   .name = mjcf_name(tendon, "name").value,
                    .detail = why});
 }
 

@@ -62,6 +62,21 @@ enum class MjcfFactKind : std::uint8_t {
   kAttachConflict,  ///< `detail` says which option of an attached model conflicts
   kPartAlone,       ///< no worldbody, so that the `detail` called `name` does not exist
   kPluginNeeded,    ///< `name` is the plugin
+  kTooLarge,        ///< it is not read to its end; `detail` says of what there is too much
+  kWorldPart,       ///< a joint or inertial of the world: `name` is the element
+  kRangeUnlimited,  ///< as kRangeIgnored, and rejected: autolimits is off, and limited not written
+  kValueRejected,   ///< `name` is the attribute; `detail` what it must be
+  kTargetRejected,  ///< `detail` says what the element cannot refer to
+  kExcludes,        ///< `name`, an attribute, is written beside `detail`, another
+  kMeshSheared,     ///< the mesh `name` is rotated by refquat before an uneven scale
+  kGravity,         ///< `detail` says what is odd: it points up
+  kTimestep,        ///< likewise
+  kNegative,        ///< `name` is the attribute, `detail` its value
+  kRefOutside,      ///< of a joint: `detail` are both
+  kColor,           ///< a component of the color `detail` is over 1
+  kDegrees,         ///< `name` is read in radians and looks like degrees: `detail`
+  kSolver,          ///< `name` is solref or solimp; `detail` what becomes of it
+  kKeyframeState,   ///< `detail` says what is odd: a position out of its joint's range
 };
 
 struct MjcfFact {
@@ -70,7 +85,7 @@ struct MjcfFact {
   std::string subject = {};  ///< "joint elbow"; empty when the place says it
   std::string name = {};
   std::string detail = {};
-  std::string path = {};  ///< where a missing file would be
+  std::string path = {};                     ///< where a missing file would be
   std::vector<std::string> candidates = {};  ///< names that there are, of a missing one
   Span related = {};
 };

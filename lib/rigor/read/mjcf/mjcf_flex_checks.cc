@@ -29,7 +29,7 @@ void check_flex_file(const MjcfScope& scope, const Disk& disk, xml::Element flex
                      MjcfFacts& facts) {
   const std::string_view type = trimmed_attribute(flex, "type");
   if (type != "mesh" && type != "gmsh") return;
-  const auto file = string_field(attribute_text(flex, "file"));
+  const auto file = mjcf_name(flex, "file");
   const auto report = [&](std::string why) {
     facts.push_back({.kind = MjcfFactKind::kFlexFile,
                      .where = file.written ? file.span : flex.tag_span(),
@@ -55,7 +55,7 @@ model::Field<std::string> integrator_of(const MjcfTree& tree) {
   model::Field<std::string> integrator{"Euler", {}, false};
   for (const xml::Element section : tree.children(tree.root())) {
     if (section.name() != "option") continue;
-    const auto text = string_field(attribute_text(section, "integrator"));
+    const auto text = mjcf_name(section, "integrator");
     if (text.written) integrator = text;
   }
   return integrator;

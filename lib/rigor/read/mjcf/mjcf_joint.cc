@@ -4,6 +4,7 @@
 #include <rigor/read/mjcf/mjcf_joint.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -98,8 +99,8 @@ void read_joint_equality(const MjcfValues& values, const MjcfScope& scope, const
   if (!leader.written || follower == joints.end()) return;
   if (joints.find(scope.prefix + leader.value) == joints.end()) return;
   std::vector<double> coefficients = values.numbers("polycoef");
-  if (coefficients.empty()) coefficients = {0, 1};
-  coefficients.resize(2, 0);
+  constexpr std::array<double, 2> kOwn{0, 1};  // of MuJoCo, where fewer are written
+  for (std::size_t i = coefficients.size(); i < kOwn.size(); ++i) coefficients.push_back(kOwn[i]);
   model::Joint& joint = root.joints[follower->second.value];
   if (joint.axes.empty()) return;
   model::Mimic mimic;
@@ -134,7 +135,7 @@ model::Joint mjcf_joint(const MjcfValues& values, const MjcfPlace& place) {
 
 void read_mjcf_couplings(const MjcfScope& scope, const MjcfJoints& joints, model::Root& root) {
   const auto class_of = [&](xml::Element element) {
-    const std::string name = string_field(attribute_text(element, "class")).value;
+    const std::string name = mjcf_name(element, "class").value;
     return scope.defaults.find(name).value_or(MjcfDefaults::kMain);
   };
   for (const xml::Element element : scope.tree.in_sections("equality")) {

@@ -5,7 +5,9 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include <rigor/read/mjcf/mjcf_checks.h>
 #include <rigor/text/path.h>
@@ -13,9 +15,13 @@
 namespace rigor::read {
 namespace {
 
+/// What an empty reference is to MuJoCo. That to a mesh, material, texture or height field is none at all.
+enum class EmptyName : std::uint8_t { kRejected, kNone };
+
 /// A reference: where it is, and what kind of name it holds. An empty section is any.
 struct MjcfReference {
   std::string_view section, tag, attribute, kind;
+  EmptyName empty = EmptyName::kRejected;
 };
 
 constexpr std::array kMjcfReferences{
@@ -23,25 +29,25 @@ constexpr std::array kMjcfReferences{
     MjcfReference{"actuator", "", "jointinparent", "joint"},
     MjcfReference{"actuator", "", "tendon", "tendon"},
     MjcfReference{"actuator", "", "site", "site"},
-    MjcfReference{"actuator", "", "refsite", "site"},
+    MjcfReference{"actuator", "", "refsite", "site", EmptyName::kNone},
     MjcfReference{"actuator", "", "slidersite", "site"},
     MjcfReference{"actuator", "", "cranksite", "site"},
     MjcfReference{"actuator", "", "body", "body"},
     MjcfReference{"equality", "", "body1", "body"},
-    MjcfReference{"equality", "", "body2", "body"},
+    MjcfReference{"equality", "", "body2", "body", EmptyName::kNone},
     MjcfReference{"equality", "", "site1", "site"},
     MjcfReference{"equality", "", "site2", "site"},
     MjcfReference{"equality", "joint", "joint1", "joint"},
-    MjcfReference{"equality", "joint", "joint2", "joint"},
+    MjcfReference{"equality", "joint", "joint2", "joint", EmptyName::kNone},
     MjcfReference{"equality", "tendon", "tendon1", "tendon"},
-    MjcfReference{"equality", "tendon", "tendon2", "tendon"},
+    MjcfReference{"equality", "tendon", "tendon2", "tendon", EmptyName::kNone},
     MjcfReference{"contact", "", "geom1", "geom"},
     MjcfReference{"contact", "", "geom2", "geom"},
     MjcfReference{"contact", "", "body1", "body"},
     MjcfReference{"contact", "", "body2", "body"},
     MjcfReference{"tendon", "site", "site", "site"},
     MjcfReference{"tendon", "geom", "geom", "geom"},
-    MjcfReference{"tendon", "geom", "sidesite", "site"},
+    MjcfReference{"tendon", "geom", "sidesite", "site", EmptyName::kNone},
     MjcfReference{"tendon", "joint", "joint", "joint"},
     MjcfReference{"tendon", "", "material", "material"},
     MjcfReference{"sensor", "", "joint", "joint"},
@@ -59,8 +65,8 @@ constexpr std::array kMjcfReferences{
     MjcfReference{"worldbody", "geom", "material", "material"},
     MjcfReference{"worldbody", "site", "material", "material"},
     MjcfReference{"worldbody", "site", "mesh", "mesh"},
-    MjcfReference{"worldbody", "camera", "target", "body"},
-    MjcfReference{"worldbody", "light", "target", "body"},
+    MjcfReference{"worldbody", "camera", "target", "body", EmptyName::kNone},
+    MjcfReference{"worldbody", "light", "target", "body", EmptyName::kNone},
     MjcfReference{"worldbody", "attach", "model", "model"},
     MjcfReference{"asset", "material", "texture", "texture"},
     MjcfReference{"asset", "bone", "body", "body"},
@@ -104,7 +110,7 @@ std::vector<std::string> names_of_kind(const MjcfNames& names, std::string_view 
 }
 
 std::string default_name(xml::Element element) {
-  const std::string file = string_field(attribute_text(element, "file")).value;
+  const std::string file = mjcf_name(element, "file").value;
   const std::size_t slash = file.find_last_of("/\\");
   const std::string last = slash == file.npos ? file : file.substr(slash + 1);
   return last.substr(0, last.rfind('.'));
@@ -139,20 +145,37 @@ class MadeNames {
 
  private:
   static std::string text_of(xml::Element element, std::string_view attribute) {
-    return string_field(attribute_text(element, attribute)).value;
+    return mjcf_name(element, attribute).value;
   }
 
   std::vector<std::string> prefixes_;
 };
 
+/// Names that there are, for the first so many that are missing: a list for each would fill the memory.
+class MjcfCandidates {
+ public:
+  template <class Names>
+  std::vector<std::string> next(const Names& names) {
+    constexpr std::size_t kMaxWithCandidates = 50;
+    return ++asked_ <= kMaxWithCandidates ? names() : std::vector<std::string>();
+  }
+
+ private:
+  std::size_t asked_ = 0;
+};
+
 void check_class(const MjcfScope& scope, xml::Element element, const char* attribute,
-                 MjcfFacts& facts) {
-  const auto name = string_field(attribute_text(element, attribute));
+                 MjcfCandidates& candidates, MjcfFacts& facts) {
+  const auto name = mjcf_name(element, attribute);
   if (!name.written || scope.defaults.find(name.value)) return;
   facts.push_back({.kind = MjcfFactKind::kClassMissing,
                    .where = name.span,
                    .name = name.value,
-                   .candidates = scope.defaults.names()});
+                   .candidates = candidates.next([&] { return scope.defaults.names(); })});
+}
+
+bool is_asset_kind(std::string_view kind) {
+  return kind == "mesh" || kind == "material" || kind == "texture" || kind == "hfield";
 }
 
 }  // namespace
@@ -166,7 +189,7 @@ void for_each_mjcf_element(const MjcfTree& tree,
 }
 
 std::size_t mjcf_class_of(const MjcfScope& scope, xml::Element element, std::size_t around) {
-  const auto name = string_field(attribute_text(element, "class"));
+  const auto name = mjcf_name(element, "class");
   if (!name.written) return around;
   return scope.defaults.find(name.value).value_or(around);
 }
@@ -203,13 +226,12 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
   MjcfNames names;
   std::map<std::tuple<std::string, SourceId, std::uint32_t, std::string>, Span> first;
   names["body"].insert("world");
+  first.try_emplace({"body", kNoSource, 0, "world"}, Span());
   for (const auto& [name, element] : scope.assets.models) names["model"].insert(name);
   for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
     const std::string_view kind = declared_kind(section, element.name());
     if (kind.empty()) return;
-    auto name = string_field(attribute_text(element, "name"));
-    // As MuJoCo takes it, with the spaces around it.
-    if (const auto written = element.attribute("name")) name.value = written->value();
+    auto name = mjcf_name(element, "name");
     const bool nested = section != "worldbody" && element.parent()->name() != section &&
                         element.parent()->name() != "mujocoinclude" &&
                         element.parent()->name() != "mujoco";
@@ -238,38 +260,63 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
 void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts) {
   const MadeNames made(scope);
   const bool part = !has_world(scope.tree);
-  const auto check = [&](const model::Field<std::string>& name, std::string_view kind) {
-    if (!name.written || name.value.empty()) return;
+  MjcfCandidates candidates;
+  const auto check = [&](const model::Field<std::string>& name, std::string_view kind,
+                         EmptyName empty = EmptyName::kRejected) {
+    const bool asset = is_asset_kind(kind);
+    if (!name.written || (name.value.empty() && (asset || empty == EmptyName::kNone))) return;
     const auto known = names.find(kind);
     if (known != names.end() && known->second.contains(name.value)) return;
-    const bool asset = kind == "mesh" || kind == "material" || kind == "texture" ||
-                       kind == "hfield" || kind == "model";
-    const MjcfFact missing{.kind = MjcfFactKind::kReferenceMissing,
-                           .where = name.span,
-                           .name = name.value,
-                           .detail = std::string(kind),
-                           .candidates = names_of_kind(names, kind)};
-    if (part && !asset) {
-      check_part(missing, facts);
-    } else if (asset || !made.may_hold(name.value)) {
-      facts.push_back(missing);
+    const auto missing = [&] {
+      return MjcfFact{.kind = MjcfFactKind::kReferenceMissing,
+                      .where = name.span,
+                      .name = name.value,
+                      .detail = std::string(kind),
+                      .candidates = candidates.next([&] { return names_of_kind(names, kind); })};
+    };
+    if (part && !asset && kind != "model") {
+      check_part(missing(), facts);
+    } else if (asset || kind == "model" || !made.may_hold(name.value)) {
+      facts.push_back(missing());
     }
   };
   for_each_mjcf_element(scope.tree, [&](std::string_view section, xml::Element element) {
     if (section != "default" || element.name() != "default") {
-      check_class(scope, element, "class", facts);
+      check_class(scope, element, "class", candidates, facts);
     }
-    check_class(scope, element, "childclass", facts);
+    check_class(scope, element, "childclass", candidates, facts);
     for (const MjcfReference& one : kMjcfReferences) {
       if (one.section != section) continue;
       if (!one.tag.empty() && one.tag != element.name()) continue;
-      check(string_field(attribute_text(element, one.attribute)), one.kind);
+      check(mjcf_name(element, one.attribute), one.kind, one.empty);
     }
     if (section != "sensor" && section != "custom") return;
-    const std::string type = string_field(attribute_text(element, "objtype")).value;
-    if (type.empty()) return;
-    check(string_field(attribute_text(element, "objname")), type == "xbody" ? "body" : type);
+    for (const auto& [type_name, name] :
+         {std::pair{"objtype", "objname"}, {"reftype", "refname"}}) {
+      const std::string type = mjcf_name(element, type_name).value;
+      if (!type.empty()) check(mjcf_name(element, name), type == "xbody" ? "body" : type);
+    }
   });
+  // What a class names is missing where an element takes it.
+  std::set<std::pair<SourceId, std::uint32_t>> reported;
+  const auto check_default = [&](const MjcfValues& values, const char* attribute) {
+    if (values.own(attribute)) return;
+    const auto name = values.string(attribute);
+    if (name.written && reported.insert({name.span.source, name.span.begin}).second) {
+      check(name, attribute);
+    }
+  };
+  for_each_in_bodies(scope, [&](xml::Element element, std::size_t class_id) {
+    const std::string_view tag = element.name();
+    if (tag != "geom" && tag != "site") return;
+    const MjcfValues values = scope.defaults.values(element, tag, class_id);
+    check_default(values, "material");
+    check_default(values, "mesh");
+  });
+  for (const xml::Element element : scope.tree.in_sections("tendon")) {
+    const std::size_t id = mjcf_class_of(scope, element, MjcfDefaults::kMain);
+    check_default(scope.defaults.values(element, "tendon", id), "material");
+  }
 }
 
 void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts) {
@@ -284,7 +331,7 @@ void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& fact
         tag == "texture" ? scope.settings.texture_folder : scope.settings.mesh_folder;
     for (const char* attribute :
          {"file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"}) {
-      const auto file = string_field(attribute_text(element, attribute));
+      const auto file = mjcf_name(element, attribute);
       if (!file.written || file.value.empty()) continue;
       std::string path = path_of(element, tag == "model" ? "" : folder, file);
       if (disk.kind(path) == PathKind::kFile) continue;
@@ -300,10 +347,13 @@ void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& fact
     if (!has_shape) {
       facts.push_back({.kind = MjcfFactKind::kMeshEmpty,
                        .where = element.tag_span(),
-                       .name = string_field(attribute_text(element, "name")).value});
+                       .name = mjcf_name(element, "name").value});
     }
   }
   for (const auto& [name, mesh] : scope.assets.meshes) {
+    if (mesh.sheared) {
+      facts.push_back({.kind = MjcfFactKind::kMeshSheared, .where = mesh.site.tag, .name = name});
+    }
     const model::Vector3& s = mesh.mesh.scale.value;
     if (s.x != 0 && s.y != 0 && s.z != 0) continue;
     facts.push_back(

@@ -64,7 +64,7 @@ void check_mjcf_attached(const MjcfScope& scope, const MjcfScope& attached, xml:
 void check_mjcf_plugins(const MjcfScope& scope, MjcfFacts& facts) {
   for (const xml::Element plugin : scope.tree.in_sections("extension")) {
     if (plugin.name() != "plugin") continue;
-    const auto name = string_field(attribute_text(plugin, "plugin"));
+    const auto name = mjcf_name(plugin, "plugin");
     if (!name.written) continue;
     facts.push_back({.kind = MjcfFactKind::kPluginNeeded, .where = name.span, .name = name.value});
   }

@@ -49,7 +49,7 @@ MjcfSettings mjcf_settings(const MjcfTree& tree) {
       const bool on = value == "true";
       if (name == "angle") settings.degrees = value != "radian";
       if (name == "eulerseq" && value.size() == 3) settings.euler_sequence = value;
-      if (name == "autolimits") settings.auto_limits = on;
+      if (name == "autolimits" && (on || value == "false")) settings.auto_limits = on;
       if (name == "strippath") settings.strip_path = on;
       if (name == "fitaabb") settings.fit_to_bounds = on;
       if (name == "balanceinertia") settings.masses.balance_inertia = on;

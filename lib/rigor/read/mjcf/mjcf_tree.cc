@@ -9,6 +9,12 @@
 
 namespace rigor::read {
 
+model::Field<std::string> mjcf_name(xml::Element element, std::string_view attribute) {
+  const auto text = attribute_text(element, attribute);
+  if (!text) return {};
+  return {std::string(text->text), text->span, true};
+}
+
 MjcfTree::MjcfTree(Workspace& workspace, const File& file, MjcfFacts& facts)
     : workspace_(workspace), file_(file) {
   taken_.insert(normalize_path(file.path));
@@ -23,8 +29,12 @@ void MjcfTree::follow(xml::Element parent, const File& file, int depth, MjcfFact
       follow(child, file, depth + 1, facts);
       continue;
     }
-    const auto name = string_field(attribute_text(child, "file"));
-    if (name.value.empty() || taken_.size() > kMaxMjcfIncludes) continue;
+    const auto name = mjcf_name(child, "file");
+    if (name.value.empty() || taken_.size() > kMaxMjcfIncludes) {
+      const char* why = name.value.empty() ? "has no name" : "is not read: over 1000 are included";
+      facts.push_back({MjcfFactKind::kIncludeBroken, name.span, {}, name.value, why});
+      continue;
+    }
     if (depth > xml::kMaxDepth) {
       const std::string why = "is not read: it is included below more than " +
                               std::to_string(xml::kMaxDepth) + " elements";

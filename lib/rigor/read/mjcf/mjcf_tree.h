@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/model/field.h>
 #include <rigor/read/mjcf/mjcf_fact.h>
 #include <rigor/read/mjcf/mjcf_includes.h>
 #include <rigor/read/workspace.h>
@@ -25,6 +26,9 @@ namespace rigor::read {
 
 /// Files include files this deep at most; MuJoCo takes each file once, so there are no cycles.
 inline constexpr std::size_t kMaxMjcfIncludes = 1000;
+
+/// A name, path or keyword as it is written: MuJoCo takes spaces around it for a part of it.
+model::Field<std::string> mjcf_name(xml::Element element, std::string_view attribute);
 
 class MjcfTree {
  public:

@@ -23,7 +23,7 @@ SceneFiles::SceneFiles(const read::Loaded& loaded, read::Workspace& workspace,
              [this](const model::Mesh& mesh) -> const mass::MeshSurvey* {
                const std::string path = path_of(mesh.uri);
                if (path.empty()) return nullptr;
-               return &surveys_.find({path, mesh.submesh.value, mesh.center.value});
+               return &surveys_.find(mass::mesh_choice(path, mesh));
              },
              [this](const model::Mesh& mesh) -> const mesh::LoadedMesh* {
                const std::string path = path_of(mesh.uri);
