@@ -238,5 +238,19 @@ TEST(Severity, ThatTheUserSetsHoldsForAllFindings) {
   EXPECT_EQ(in_sdf("size-not-positive", text, {.set = Severity::kInfo}), kOneInfo);
 }
 
+Severities in_mjcf(const std::string& rule, const std::string& text) {
+  return severities(rule, "a.xml", "<mujoco>" + text + "</mujoco>");
+}
+
+TEST(Severity, OfARangeWithoutEffectGoesByWhetherMujocoRejectsIt) {
+  const auto joint = [](const std::string& limited) {
+    return "<compiler autolimits='false'/><worldbody><body><joint range='-1 1' " + limited +
+           "/><geom size='1'/></body></worldbody>";
+  };
+  EXPECT_EQ(in_mjcf("mjcf-range-ignored", joint("limited='false'")), kOneWarning);
+  EXPECT_EQ(in_mjcf("mjcf-range-ignored", joint("")), kOneError);
+  EXPECT_EQ(in_mjcf("mjcf-range-ignored", joint("limited='true'")), kNothing);
+}
+
 }  // namespace
 }  // namespace rigor::rules

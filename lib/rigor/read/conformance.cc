@@ -270,7 +270,8 @@ class SchemaWalk {
       }
     }
     if (!node.may_have_limits()) return;
-    const std::string_view value = trimmed(text);
+    // MuJoCo takes a keyword with the spaces around it.
+    const std::string_view value = mjcf_ && type == Type::kString ? text : trimmed(text);
     // What the schema writes as its own default is never out of its own bounds or list.
     const schema::Enumeration list = node.enumeration();
     // MuJoCo takes an empty keyword for an unknown one.

@@ -86,6 +86,9 @@ class MjcfReader {
     check_mjcf_flexes(scope, workspace_.disk(), facts_);
     check_mjcf_plugins(scope, facts_);
     check_mjcf_bodies(scope, facts_);
+    check_mjcf_places(scope, facts_);
+    check_mjcf_values(scope, facts_);
+    check_mjcf_targets(scope, facts_);
     check_mjcf_contacts(scope, facts_);
     check_mjcf_actuators(scope, facts_);
     check_mjcf_keyframes(scope, facts_);

@@ -14,7 +14,7 @@ namespace {
 using MjcfKind = MjcfFactKind;
 
 std::string actuator_named(xml::Element element) {
-  const std::string name = string_field(attribute_text(element, "name")).value;
+  const std::string name = mjcf_name(element, "name").value;
   return name.empty() ? std::string(element.name()) : "actuator " + name;
 }
 
@@ -63,6 +63,25 @@ StateSize state_size(const MjcfScope& scope) {
   return size;
 }
 
+/// How many of a set have each bit.
+class BitCounts {
+ public:
+  void add(unsigned bits) {
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += (bits >> i) & 1U;
+  }
+  /// The bits that others than one with `bits` have.
+  unsigned without(unsigned bits) const {
+    unsigned others = 0;
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+      if (counts_[i] > ((bits >> i) & 1U)) others |= 1U << i;
+    }
+    return others;
+  }
+
+ private:
+  std::array<std::size_t, 32> counts_{};
+};
+
 }  // namespace
 
 void check_mjcf_actuators(const MjcfScope& scope, MjcfFacts& facts) {
@@ -97,10 +116,12 @@ void check_mjcf_actuators(const MjcfScope& scope, MjcfFacts& facts) {
       if (on && n[0] >= n[1] && !empty) {
         facts.push_back({MjcfKind::kRangeInverted, values.text(range)->span, subject, range,
                          std::string(trimmed(values.text(range)->text))});
-      } else if (!on && values.own(range) && !empty) {
+      } else if (!on && !empty && value != "false" && tag != "damper") {
         facts.push_back(
-            {MjcfKind::kRangeIgnored, values.text(range)->span, subject, range,
-             value == "false" ? std::string(limited) + "=\"false\"" : "autolimits=\"false\""});
+            {MjcfKind::kRangeUnlimited, values.text(range)->span, subject, range, limited});
+      } else if (!on && values.own(range) && !empty && value == "false") {
+        facts.push_back({MjcfKind::kRangeIgnored, values.text(range)->span, subject, range,
+                         std::string(limited) + "=\"false\""});
       }
     }
   }
@@ -118,9 +139,7 @@ void check_mjcf_keyframes(const MjcfScope& scope, MjcfFacts& facts) {
       if (!text) continue;
       const auto numbers = mjcf_numbers(text->text);
       if (!numbers || numbers->size() == expected) continue;
-      const std::string_view name = attribute;
-      const bool may_be_short = name == "qpos" || name == "qvel";
-      const bool fewer = may_be_short && numbers->size() < expected;
+      const bool fewer = numbers->size() < expected;
       facts.push_back({fewer ? MjcfKind::kKeyframeShort : MjcfKind::kKeyframeSize,
                        text->span,
                        {},
@@ -140,7 +159,9 @@ void check_mjcf_contacts(const MjcfScope& scope, MjcfFacts& facts) {
     unsigned contype, conaffinity;
   };
   std::vector<Bits> all;
-  unsigned contypes = 1, conaffinities = 1;  // a geom that names none
+  BitCounts contypes, conaffinities;
+  contypes.add(1);  // a geom that names none
+  conaffinities.add(1);
   for_each_in_bodies(scope, [&](xml::Element element, std::size_t class_id) {
     if (element.name() != "geom") return;
     const MjcfValues values = scope.defaults.values(element, "geom", class_id);
@@ -148,13 +169,16 @@ void check_mjcf_contacts(const MjcfScope& scope, MjcfFacts& facts) {
       return static_cast<unsigned>(static_cast<std::int64_t>(values.number(name, 1).value));
     };
     all.push_back({element, bits("contype"), bits("conaffinity")});
-    contypes |= all.back().contype;
-    conaffinities |= all.back().conaffinity;
+    contypes.add(all.back().contype);
+    conaffinities.add(all.back().conaffinity);
   });
   for (const Bits& one : all) {
     if (one.contype == 0 && one.conaffinity == 0) continue;
-    if ((one.contype & conaffinities) != 0 || (one.conaffinity & contypes) != 0) continue;
-    const std::string name = string_field(attribute_text(one.element, "name")).value;
+    // No geom touches itself.
+    const bool meets = (one.contype & conaffinities.without(one.conaffinity)) != 0 ||
+                       (one.conaffinity & contypes.without(one.contype)) != 0;
+    if (meets) continue;
+    const std::string name = mjcf_name(one.element, "name").value;
     if (!name.empty() && scope.in_pairs.contains(name)) continue;
     facts.push_back({MjcfKind::kNeverTouches,
                      one.element.tag_span(),

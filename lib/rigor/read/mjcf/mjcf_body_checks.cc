@@ -17,8 +17,16 @@ using MjcfKind = MjcfFactKind;
 constexpr double kSmallest = 1e-15;
 
 std::string subject_of_mjcf(xml::Element element) {
-  const std::string name = string_field(attribute_text(element, "name")).value;
+  const std::string name = mjcf_name(element, "name").value;
   return name.empty() ? std::string() : std::string(element.name()) + ' ' + name;
+}
+
+/// Whether x and y axis have a length, and y one across x.
+bool span_a_plane(const std::vector<double>& n) {
+  const model::Vector3 x{n[0], n[1], n[2]}, y{n[3], n[4], n[5]};
+  constexpr double kParallel = 1e-14;  // of their lengths: rounding
+  const double across = length(cross(x, y));
+  return length(x) > 0 && length(y) > 0 && across > kParallel * length(x) * length(y);
 }
 
 void check_orientation(xml::Element element, MjcfFacts& facts) {
@@ -30,6 +38,13 @@ void check_orientation(xml::Element element, MjcfFacts& facts) {
     if (++ways == 2) second = attribute->span();
     const auto numbers = mjcf_numbers(attribute->value());
     if (!numbers || numbers->size() < 3) continue;
+    if (std::string_view(way) == "xyaxes") {
+      if (numbers->size() == 6 && !span_a_plane(*numbers)) {
+        facts.push_back(
+            {MjcfKind::kOrientationZero, attribute->value_span(), subject_of_mjcf(element), way});
+      }
+      continue;
+    }
     const std::size_t count = std::string_view(way) == "quat" ? 4 : 3;
     const bool has_length = std::string_view(way) != "euler";
     double size = 0;
@@ -51,38 +66,27 @@ void check_light(const MjcfValues& values, MjcfFacts& facts) {
       {MjcfKind::kOrientationZero, direction.span, subject_of_mjcf(values.element()), "dir"});
 }
 
-void check_range(const MjcfValues& values, const MjcfSettings& settings, std::string_view range,
-                 std::string_view limited, MjcfFacts& facts) {
-  const auto text = values.text(range);
-  const std::vector<double> n = values.numbers(range);
-  const auto mode = values.text(limited);
-  const std::string_view value = mode ? trimmed(mode->text) : "auto";
-  const std::string subject = subject_of_mjcf(values.element());
-  const bool zero = n.size() == 2 && n[0] == 0 && n[1] == 0;  // MuJoCo's word for none
-  const bool on = value == "true" || (value == "auto" && settings.auto_limits && text && !zero);
-  if (value == "true" && !text) {
-    facts.push_back({MjcfKind::kLimitedWithoutRange, mode->span, subject, std::string(range)});
-  }
-  if (!text || n.size() != 2) return;
-  if (on && n[0] >= n[1]) {
-    facts.push_back({MjcfKind::kRangeInverted, text->span, subject, std::string(range),
-                     std::string(trimmed(values.text(range)->text))});
-  } else if (!on && values.own(range) && !zero) {
-    facts.push_back(
-        {MjcfKind::kRangeIgnored, text->span, subject, std::string(range),
-         value == "false" ? std::string(limited) + "=\"false\"" : "autolimits=\"false\""});
-  }
-}
-
 void check_joint(const MjcfScope& scope, const MjcfValues& values, MjcfFacts& facts) {
   const std::string type = values.string("type", "hinge").value;
+  if (type == "ball") {
+    // One that is limited without a range is taken.
+    if (values.text("range")) check_mjcf_range(values, scope.settings, "range", "limited", facts);
+    const auto range = values.numbers("range");
+    if (range.size() == 2 && range[0] != 0 && range[0] < range[1]) {
+      facts.push_back({.kind = MjcfKind::kValueRejected,
+                       .where = values.text("range")->span,
+                       .subject = subject_of_mjcf(values.element()),
+                       .name = "range",
+                       .detail = "of a ball has 0 for its first number"});
+    }
+  }
   if (type != "hinge" && type != "slide") return;
   const auto axis = values.vector("axis", {0, 0, 1});
   if (axis.written && length(axis.value) < 1e-10) {
     facts.push_back({MjcfKind::kAxisZero, axis.span, subject_of_mjcf(values.element())});
   }
-  check_range(values, scope.settings, "range", "limited", facts);
-  check_range(values, scope.settings, "actuatorfrcrange", "actuatorfrclimited", facts);
+  check_mjcf_range(values, scope.settings, "range", "limited", facts);
+  check_mjcf_range(values, scope.settings, "actuatorfrcrange", "actuatorfrclimited", facts);
 }
 
 /// How many sizes a shape needs, and how many with `fromto`.
@@ -101,6 +105,12 @@ void check_geom(const MjcfValues& values, MjcfFacts& facts) {
   const std::string type(trimmed(values.string("type", "sphere").value));
   const xml::Element element = values.element();
   const bool of_mesh = type == "mesh" || type == "sdf";
+  if (of_mesh && values.own("shellinertia") && values.is_true("shellinertia")) {
+    facts.push_back({.kind = MjcfKind::kShapeRejected,
+                     .where = values.text("shellinertia")->span,
+                     .subject = subject_of_mjcf(element),
+                     .detail = "shellinertia of a mesh, where the asset has inertia=\"shell\""});
+  }
   if ((of_mesh && values.string("mesh").value.empty()) ||
       (type == "hfield" && values.string("hfield").value.empty())) {
     facts.push_back(
@@ -132,6 +142,8 @@ std::string why_not_possible(const MjcfValues& values, const std::string& type) 
   const std::vector<double> ends = values.numbers("fromto");
   if (ends.size() != 6) return {};
   if (sizes_of(type)[0] < 2) return "fromto and the type " + type;
+  const model::Vector3 pos = values.vector("pos", {}).value;
+  if (length(pos) > 0) return "pos beside fromto, which places it";
   const bool apart = ends[0] != ends[3] || ends[1] != ends[4] || ends[2] != ends[5];
   return apart ? "" : "the ends of fromto in one place";
 }
@@ -150,6 +162,10 @@ void check_shape(const MjcfValues& values, MjcfFacts& facts) {
 /// A site has 0.005 for each size that is not written.
 void check_site(const MjcfValues& values, MjcfFacts& facts) {
   const std::string type(trimmed(values.string("type", "sphere").value));
+  if (type == "mesh" && values.string("mesh").value.empty()) {
+    facts.push_back({MjcfKind::kMeshMissingName, values.element().tag_span(),
+                     subject_of_mjcf(values.element()), type});
+  }
   const std::size_t needed = sizes_of(type)[values.text("fromto") ? 1 : 0];
   const std::vector<double> size = values.numbers("size");
   for (std::size_t i = 0; i < std::min(needed, size.size()); ++i) {
@@ -286,6 +302,9 @@ bool may_weigh(const MjcfScope& scope, xml::Element body, std::size_t class_id) 
         scope.defaults.values(child, "geom", mjcf_class_of(scope, child, class_id));
     const std::string type = values.string("type", "sphere").value;
     if (type == "plane" || type == "hfield") continue;
+    const double group = values.number("group", 0).value;
+    const auto& [first, last] = scope.settings.inertia_groups;
+    if (group < first || group > last) continue;
     const auto mass = values.number("mass", 0);
     if (mass.written ? mass.value > 0 : values.number("density", 1000).value > 0) return true;
   }
@@ -298,7 +317,7 @@ bool has_child_with_mass(const MjcfScope& scope, xml::Element body, std::size_t 
     if (tag == "frame" || tag == "replicate" || tag == "attach") return true;
     if (tag != "body") continue;
     std::size_t inside = class_id;
-    const auto childclass = string_field(attribute_text(child, "childclass"));
+    const auto childclass = mjcf_name(child, "childclass");
     if (childclass.written) inside = scope.defaults.find(childclass.value).value_or(class_id);
     if (degrees_of_freedom(scope, child, inside).joints > 0) continue;  // it moves by itself
     if (may_weigh(scope, child, inside) || has_child_with_mass(scope, child, inside)) return true;
@@ -308,7 +327,7 @@ bool has_child_with_mass(const MjcfScope& scope, xml::Element body, std::size_t 
 
 void check_body(const MjcfScope& scope, xml::Element body, std::size_t class_id, MjcfFacts& facts) {
   std::size_t inside = class_id;
-  const auto childclass = string_field(attribute_text(body, "childclass"));
+  const auto childclass = mjcf_name(body, "childclass");
   if (childclass.written) inside = scope.defaults.find(childclass.value).value_or(class_id);
   check_weights(scope, body, inside, facts);
   const Degrees found = degrees_of_freedom(scope, body, inside);
@@ -341,6 +360,35 @@ void check_body(const MjcfScope& scope, xml::Element body, std::size_t class_id,
 }
 
 }  // namespace
+
+void check_mjcf_range(const MjcfValues& values, const MjcfSettings& settings,
+                      std::string_view range, std::string_view limited, MjcfFacts& facts) {
+  const auto text = values.text(range);
+  const std::vector<double> n = values.numbers(range);
+  const auto mode = values.text(limited);
+  const std::string_view value = mode ? trimmed(mode->text) : "auto";
+  const std::string subject = subject_of_mjcf(values.element());
+  const bool zero = n.size() == 2 && n[0] == 0 && n[1] == 0;  // MuJoCo's word for none
+  const bool on = value == "true" || (value == "auto" && settings.auto_limits && text && !zero);
+  if (value == "true" && !text) {
+    facts.push_back({MjcfKind::kLimitedWithoutRange, mode->span, subject, std::string(range)});
+  }
+  if (!text || n.size() != 2) return;
+  const bool of_axis = values.element().name() == "joint" && values.string("type").value != "ball";
+  if (on && n[0] >= n[1] && (of_axis || value == "true")) {
+    facts.push_back({MjcfKind::kRangeInverted, text->span, subject, std::string(range),
+                     std::string(trimmed(values.text(range)->text))});
+  } else if (on && n[0] >= n[1]) {
+    facts.push_back({MjcfKind::kRangeIgnored, text->span, subject, std::string(range),
+                     "its first number is not below the second"});
+  } else if (!on && !zero && value != "false") {
+    facts.push_back(
+        {MjcfKind::kRangeUnlimited, text->span, subject, std::string(range), std::string(limited)});
+  } else if (!on && values.own(range) && !zero) {
+    facts.push_back({MjcfKind::kRangeIgnored, text->span, subject, std::string(range),
+                     std::string(limited) + "=\"false\""});
+  }
+}
 
 void check_mjcf_bodies(const MjcfScope& scope, MjcfFacts& facts) {
   if (!scope.settings.global_coordinates.nowhere()) {

@@ -17,10 +17,11 @@ void check(const read::MjcfFact& fact, Context& context) {
 Rule rule() {
   return {
       .name = "mjcf-actuator-two-targets",
-      .severity = Severity::kError,
+      .severity = Severity::kWarning,
       .formats = Formats::kMjcf,
       .summary = "actuator with two targets",
-      .why = "MuJoCo rejects the file: an actuator drives one joint, tendon, site or body.",
+      .why = "MuJoCo before 3 rejects the file; newer versions take one of the targets and ignore "
+             "the others: an actuator drives one joint, tendon, site or body.",
       .what_to_do = "Keep one of them.",
       .checks = {on_mjcf({read::MjcfFactKind::kActuatorTwoTargets}, check)},
   };

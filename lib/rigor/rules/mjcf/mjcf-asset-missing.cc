@@ -4,6 +4,7 @@
 #include <string>
 
 #include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/rules/mjcf/space_around.h>
 #include <rigor/rules/package/missing_part.h>
 #include <rigor/rules/rule.h>
 
@@ -11,7 +12,8 @@ namespace rigor::rules::mjcf_asset_missing {
 
 void check(const read::MjcfFact& fact, Context& context) {
   context.report({.where = fact.where,
-                  .message = "file '" + fact.name + "' of a " + fact.detail + " does not exist",
+                  .message = "file '" + fact.name + "' of a " + fact.detail + " does not exist" +
+                             std::string(space_around(fact.name)),
                   .subject = fact.subject,
                   .help = "it is looked for at '" + fact.path + "'",
                   .cause = outermost_missing(fact.path, context)});

@@ -4,13 +4,15 @@
 #include <string>
 
 #include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/rules/mjcf/space_around.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mjcf_include_missing {
 
 void check(const read::MjcfFact& fact, Context& context) {
-  context.report(
-      {.where = fact.where, .message = "included file '" + fact.name + "' does not exist"});
+  context.report({.where = fact.where,
+                  .message = "included file '" + fact.name + "' does not exist" +
+                             std::string(space_around(fact.name))});
 }
 
 Rule rule() {

@@ -19,7 +19,7 @@ Rule rule() {
       .formats = Formats::kMjcf,
       .summary = "keyframe with too few numbers",
       .why = "MuJoCo before 3.3 rejects the file; newer versions fill the rest with the state at "
-             "rest.",
+             "rest, of controls with zeros.",
       .what_to_do = "Write as many numbers as the model has.",
       .checks = {on_mjcf({read::MjcfFactKind::kKeyframeShort}, check)},
   };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <rigor/rules/edits.h>
+#include <rigor/rules/mjcf/space_around.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/schema/suggest.h>
@@ -19,7 +20,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   for (const std::string_view word : fact.node->enumeration()) words.push_back(word);
   const auto near = schema::near(fact.text, words);
   context.report({.where = fact.where,
-                  .message = "'" + std::string(fact.text) + "' is not a value of " + attribute,
+                  .message = "'" + std::string(fact.text) + "' is not a value of " + attribute +
+                             std::string(space_around(fact.text)),
                   .help = near.empty() ? "" : "did you mean '" + std::string(near.front()) + "'?"});
 }
 

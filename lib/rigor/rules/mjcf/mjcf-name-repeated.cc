@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string>
+#include <vector>
 
 #include <rigor/read/mjcf/mjcf_fact.h>
 #include <rigor/rules/rule.h>
@@ -11,9 +12,12 @@ namespace rigor::rules::mjcf_name_repeated {
 void check(const read::MjcfFact& fact, Context& context) {
   context.report(
       {.where = fact.where,
-       .message = "two elements of kind " + fact.detail + " are called '" + fact.name + "'",
+       .message = fact.related.nowhere()
+                      ? "a " + fact.detail + " is called '" + fact.name + "', as the world is"
+                      : "two elements of kind " + fact.detail + " are called '" + fact.name + "'",
        .subject = fact.subject,
-       .related = {{fact.related, "the first"}}});
+       .related = fact.related.nowhere() ? std::vector<Label>()
+                                         : std::vector<Label>{{fact.related, "the first"}}});
 }
 
 Rule rule() {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/rules/mjcf/space_around.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
@@ -11,7 +12,8 @@ namespace rigor::rules::mjcf_reference_missing {
 
 void check(const read::MjcfFact& fact, Context& context) {
   context.report(with_nearest({.where = fact.where,
-                               .message = fact.detail + " '" + fact.name + "' does not exist",
+                               .message = fact.detail + " '" + fact.name + "' does not exist" +
+                                          std::string(space_around(fact.name)),
                                .subject = fact.subject},
                               fact.name, fact.candidates, context));
 }

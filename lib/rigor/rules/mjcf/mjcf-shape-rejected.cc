@@ -21,7 +21,9 @@ Rule rule() {
       .formats = Formats::kMjcf,
       .summary = "shape that MuJoCo does not have",
       .why = "MuJoCo rejects the file: fromto is for capsules, cylinders, boxes and ellipsoids, "
-             "between two ends that are apart, and a site is no plane or height field.",
+             "between two ends that are apart, and without a pos beside it; a site is no plane or "
+             "height field, a plane does not move, and the shell of a mesh is asked for in its "
+             "asset.",
       .what_to_do = "Choose another type, or place the shape by pos.",
       .checks = {on_mjcf({read::MjcfFactKind::kShapeRejected}, check)},
   };
