@@ -137,7 +137,11 @@ void Context::report(Finding finding) {
   diagnostic.cause = mesh_.empty() || !finding.cause.empty() ? std::move(finding.cause)
                                                              : mesh_ + '\n' + diagnostic.message;
   diagnostic.why = std::move(finding.why);
-  if (finding.fix) diagnostic.fixes.push_back(std::move(*finding.fix));
+  // Of another format's elements; a rule on MJCF itself, or on XML, knows what it edits.
+  const bool of_others = root().format == model::Format::kMjcf &&
+                         category_ != to_string(Category::kMjcf) &&
+                         category_ != to_string(Category::kXml);
+  if (finding.fix && !of_others) diagnostic.fixes.push_back(std::move(*finding.fix));
   list_or_count(std::move(diagnostic));
 }
 

@@ -89,6 +89,8 @@ class MjcfReader {
     check_mjcf_places(scope, facts_);
     check_mjcf_values(scope, facts_);
     check_mjcf_targets(scope, facts_);
+    check_mjcf_plausibility(scope, facts_);
+    check_mjcf_states(scope, facts_);
     check_mjcf_contacts(scope, facts_);
     check_mjcf_actuators(scope, facts_);
     check_mjcf_keyframes(scope, facts_);

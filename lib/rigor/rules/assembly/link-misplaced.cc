@@ -95,6 +95,14 @@ bool meets_carrier(const PlacedUnit& unit, double enough, const robot::Assembled
   return gap && *gap <= enough;
 }
 
+/// Whether it is a body of its own in the world of an MJCF file, where several robots and loose things are one model.
+bool stands_by_itself(const robot::AssembledLink& link, const Context& context) {
+  if (context.root().format != model::Format::kMjcf) return false;
+  if (!link.carrier) return true;
+  const auto parent = context.frames().ends(link.carrier).parent;
+  return !parent || context.root()[parent].name.value == "world";
+}
+
 /// Whether it touches the others with two coordinates exchanged.
 bool touches_exchanged(const PlacedUnit& unit, const robot::Links& moved, const Company& company,
                        const robot::Assembled& robot) {
@@ -149,6 +157,7 @@ void check(const model::Root& root, Context& context) {
     // What no joint holds may lie anywhere.
     const robot::AssembledLink& link = robot.links[unit.link];
     if (!link.carrier && link.links_carried.empty()) continue;
+    if (stands_by_itself(link, context)) continue;
     const Company& company = companies.at(link.top);
     if (auto misplaced = look_at(unit, company, moved, context))
       found.push_back(*std::move(misplaced));

@@ -9,14 +9,28 @@
 namespace rigor::rules {
 namespace {
 
-/// On files of meshes, and on files as such.
-constexpr std::array<std::string_view, 16> kAlsoForMjcf{
-    "file-too-large",        "file-unreadable",    "mesh-buffer-missing",
-    "mesh-buffer-too-short", "mesh-decimal-comma", "mesh-index-out-of-range",
-    "mesh-inverted",         "mesh-lfs-pointer",   "mesh-malformed",
-    "mesh-no-endsolid",      "mesh-not-finite",    "mesh-self-intersection",
-    "mesh-trailing-bytes",   "mesh-truncated",     "mesh-too-few-vertices",
-    "mesh-mujoco-faces"};
+/// On files of meshes, on files as such, and on the model whatever its format.
+constexpr std::array<std::string_view, 21> kAlsoForMjcf{"center-of-mass-outside-shapes",
+                                                        "inertia-density-impossible",
+                                                        "inertia-geometry-mismatch",
+                                                        "link-misplaced",
+                                                        "mesh-size-suspicious",
+                                                        "file-too-large",
+                                                        "file-unreadable",
+                                                        "mesh-buffer-missing",
+                                                        "mesh-buffer-too-short",
+                                                        "mesh-decimal-comma",
+                                                        "mesh-index-out-of-range",
+                                                        "mesh-inverted",
+                                                        "mesh-lfs-pointer",
+                                                        "mesh-malformed",
+                                                        "mesh-no-endsolid",
+                                                        "mesh-not-finite",
+                                                        "mesh-self-intersection",
+                                                        "mesh-trailing-bytes",
+                                                        "mesh-truncated",
+                                                        "mesh-too-few-vertices",
+                                                        "mesh-mujoco-faces"};
 
 bool names_another_reader(std::string_view sentence) {
   constexpr std::array<std::string_view, 7> kOthers{"libsdformat", "urdfdom", "Gazebo", "SDF",
