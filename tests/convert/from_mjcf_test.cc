@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <string>
@@ -415,6 +416,99 @@ TEST(FromMjcf, NamesThatSdfHasOnceAreMadeDifferent) {
   const FromMjcf sdf(body("hip", body("leg", "<joint name='hip'/>")), ResultFormat::kSdf);
   EXPECT_EQ(sdf.at("joint", "hip_joint", "child"), "leg");
   EXPECT_EQ(sdf.against(), Names{});
+}
+
+/// Nobody takes a part of a robot for the robot.
+TEST(FromMjcf, WhatIsNotReadToItsEndIsRefused) {
+  for (const ResultFormat format : {ResultFormat::kUrdf, ResultFormat::kSdf}) {
+    const FromMjcf result(
+        "<replicate count='60000' offset='1 0 0'>" + body("b", "") + "</replicate>", format);
+    EXPECT_FALSE(result.result.text);
+    EXPECT_EQ(result.of_rule("convert-unresolved").size(), 1U);
+  }
+}
+
+TEST(FromMjcf, OfAConstraintThatIsThereTheSoftnessIsLost) {
+  const FromMjcf sdf("<mujoco><worldbody>" +
+                         body("a", "<joint name='j'/>" + body("b", "<joint name='k'/>")) +
+                         "</worldbody><equality><joint joint1='k' joint2='j' solref='.005 "
+                         "1'/></equality></mujoco>",
+                     ResultFormat::kSdf);
+  EXPECT_EQ(sdf.of_rule("convert-from-mjcf-equality"), Names{});
+  EXPECT_EQ(sdf.of_rule("convert-from-mjcf-dynamics"),
+            Names{"joint/@solref is lost: the target has no such property of a joint"});
+}
+
+TEST(FromMjcf, AnActuatorOfATendonLimitsNothing) {
+  const FromMjcf sdf(
+      "<mujoco><worldbody>" + body("a", "<joint name='j'/>") +
+          "</worldbody><tendon><fixed name='t'><joint joint='j' coef='1'/></fixed>"
+          "</tendon><actuator><motor tendon='t' ctrlrange='-1 1'/></actuator></mujoco>",
+      ResultFormat::kSdf);
+  const Names found = sdf.of_rule("convert-from-mjcf-actuator");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].find("it gives no joint an effort limit"), std::string::npos) << found[0];
+}
+
+TEST(FromMjcf, NoiseAndCutoffOfASensorAreLost) {
+  const FromMjcf sdf(
+      "<mujoco><worldbody>" +
+          body("a",
+               "<freejoint/><site name='s'/><camera name='c' fovy='90' "
+               "resolution='640 320'/>") +
+          "</worldbody><sensor><gyro site='s' noise='.1' cutoff='3'/></sensor></mujoco>",
+      ResultFormat::kSdf);
+  const Names found = sdf.of_rule("convert-from-mjcf-sensor");
+  const auto has = [&](const std::string& message) {
+    return std::find(found.begin(), found.end(), message) != found.end();
+  };
+  EXPECT_TRUE(has("noise .1 of the gyro is lost"));
+  EXPECT_TRUE(has("cutoff 3 of the gyro is lost"));
+  EXPECT_EQ(sdf.all("width").at(0).text(), "640");
+  EXPECT_EQ(sdf.all("height").at(0).text(), "320");
+}
+
+TEST(FromMjcf, AJointThatGetsAnotherNameIsAWarning) {
+  const FromMjcf sdf(body("a", "<freejoint/>" + body("b", "<joint name='b'/>")),
+                     ResultFormat::kSdf);
+  EXPECT_EQ(sdf.of_rule("convert-from-mjcf-renamed"),
+            Names{"joint b is named b_joint in the result"});
+  const FromMjcf shapes(
+      "<body name='a'><freejoint/><geom name='g' size='1'/><geom name='h' size='1' contype='0' "
+      "conaffinity='0'/></body>",
+      ResultFormat::kSdf);
+  EXPECT_EQ(shapes.of_rule("convert-renamed"), Names{"g is named g_collision in the result"});
+}
+
+TEST(FromMjcf, AnInertialKeepsItsAxes) {
+  const FromMjcf sdf(
+      "<body name='rod'><freejoint/><inertial pos='0 0 1' euler='0 0.5 0' mass='0.4657' "
+      "diaginertia='0.0038 0.0036 0.0002'/></body>",
+      ResultFormat::kSdf);
+  EXPECT_EQ(sdf.at("link", "rod", "inertial/pose"), "0 0 1 0 0.5 0");
+  EXPECT_EQ(sdf.at("link", "rod", "inertial/inertia/ixx"), "0.0038");
+  EXPECT_EQ(sdf.at("link", "rod", "inertial/inertia/izz"), "2e-04");
+  EXPECT_EQ(sdf.against(), Names{});
+}
+
+TEST(FromMjcf, ABodyThatFloatsHasNoGravity) {
+  const FromMjcf sdf(
+      body("a", "<freejoint/>", "gravcomp='1'") + body("b", "<freejoint/>", "gravcomp='0.5'"),
+      ResultFormat::kSdf);
+  EXPECT_EQ(sdf.at("link", "a", "gravity"), "false");
+  EXPECT_EQ(sdf.at("link", "b", "gravity"), "(none)");
+}
+
+TEST(FromMjcf, GravityOtherThanThatOfEarthIsAWarning) {
+  const auto lost = [](const std::string& gravity) {
+    return FromMjcf("<mujoco><option gravity='" + gravity + "' timestep='.001'/><worldbody>" +
+                        body("a", "<freejoint/>") + "</worldbody></mujoco>",
+                    ResultFormat::kSdf)
+        .of_rule("convert-from-mjcf-gravity");
+  };
+  EXPECT_EQ(lost("0 0 -9.81"), Names{});
+  EXPECT_EQ(lost("0 0 -1.62"),
+            Names{"gravity 0 0 -1.62 is lost: it is the world's, not the model's"});
 }
 
 }  // namespace

@@ -80,14 +80,28 @@ std::string value_text(const robot::DifferenceValue& value, std::string_view uni
   return text;
 }
 
+std::string words_of(const Difference& difference) {
+  const std::string_view kind = robot::to_string(difference.kind);
+  const auto is_empty = [](const robot::DifferenceValue& value) {
+    return value.numbers.empty() && value.text.empty();
+  };
+  if (!is_empty(difference.from) || !is_empty(difference.to)) {
+    return fmt::format("{}: {}, in the result {}", kind,
+                       value_text(difference.from, difference.unit),
+                       value_text(difference.to, difference.unit));
+  }
+  // What is there on one side only, or has another name, has no values.
+  if (difference.a.empty()) return fmt::format("{}: {} is in the result only", kind, difference.b);
+  if (difference.b.empty()) return fmt::format("{}: {} is not in the result", kind, difference.a);
+  return fmt::format("{}: {}, in the result {}", kind, difference.a, difference.b);
+}
+
 Note note_of(const Difference& difference) {
   return {.kind = NoteKind::kNotTheSame,
           .outcome = Outcome::kLost,
           .where = difference.span_a,
           .subject = difference.a.empty() ? difference.b : difference.a,
-          .written = fmt::format("{}: {}, in the result {}", robot::to_string(difference.kind),
-                                 value_text(difference.from, difference.unit),
-                                 value_text(difference.to, difference.unit))};
+          .written = words_of(difference)};
 }
 
 /// Links and joints of SDF that stand in `<gazebo>` blocks are parts of the result, and none of the robot that URDF

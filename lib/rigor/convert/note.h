@@ -157,16 +157,18 @@ enum class NoteKind : std::uint8_t {
   kFromMjcfFree,      ///< a free body that is none of the root's is `instead`
   kFromMjcfMassless,  ///< a body between joints, or without mass, weighs `instead`
   kFromMjcfLimit,     ///< the range of a ball: `written`
+  kFromMjcfRenamed,   ///< `written`, a joint → `instead`
+  kFromMjcfGravity,   ///< `written`, m/s²: it is the world's
 };
 
 struct Note {
   NoteKind kind = NoteKind::kUnknown;
   Outcome outcome = Outcome::kLost;
-  Span where;             ///< of the element, attribute or value in the source
-  std::string subject;    ///< as in a diagnostic
-  std::string written;    ///< what the source says, in short: a value, a name, "universal"
-  std::string instead;    ///< what the target says; empty when it says nothing
-  std::size_t count = 1;  ///< elements and attributes that it refers to
+  Span where;               ///< of the element, attribute or value in the source
+  std::string subject;      ///< as in a diagnostic
+  std::string written;      ///< what the source says, in short: a value, a name, "universal"
+  std::string instead;      ///< what the target says; empty when it says nothing
+  std::size_t count = 1;    ///< elements and attributes that it refers to
   std::string target = {};  ///< "URDF", "SDF" or "MJCF", in the account of a finished conversion
 };
 

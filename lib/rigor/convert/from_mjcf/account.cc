@@ -168,6 +168,8 @@ class MjcfAccountant {
       take_world(section);
     } else if (name == "compiler") {
       ledger_.take_all(section);
+    } else if (name == "option") {
+      tell_gravity(section);
     } else if (name == "default") {
       take_default(section);
     } else if (has_word("actuator contact equality sensor tendon", name)) {
@@ -178,6 +180,22 @@ class MjcfAccountant {
         if (const Words* words = words_for(child.name(), plan_.target)) take(child, *words);
       }
     }
+  }
+
+  /// A model has no gravity of its own: its world has, by default that of Earth.
+  void tell_gravity(xml::Element option) {
+    const auto text = read::attribute_text(option, "gravity");
+    const auto g = text ? read::mjcf_numbers(text->text) : std::nullopt;
+    if (!g || g->size() != 3) return;
+    constexpr double kOfEarth = 0.05;  // m/s², from pole to equator and beyond
+    const bool earth = (*g)[0] == 0 && (*g)[1] == 0 && std::abs((*g)[2] + 9.81) < kOfEarth;
+    if (earth) return;
+    ledger_.take(option, Outcome::kImplied);
+    ledger_.take_value(text->span, Outcome::kLost);
+    ledger_.note({.kind = NoteKind::kFromMjcfGravity,
+                  .where = text->span,
+                  .subject = "option",
+                  .written = std::string(text->text)});
   }
 
   /// The shapes of the world, and the bodies of the top level, are converted or not as was chosen.
@@ -340,13 +358,12 @@ class MjcfAccountant {
       auto joint = read::attribute_text(element, "joint");
       if (!joint) joint = read::attribute_text(element, "jointinparent");
       if (!joint) continue;
-      for (std::size_t i = 0; i < plan_.robot.joints.size(); ++i) {
-        const robot::Joint& driven = plan_.robot.joints[i];
-        if (driven.name != joint->text || driven.axes.size() != 1) continue;
-        if (!std::isfinite(driven.axes[0].effort)) continue;
-        take(element, kDrive, Outcome::kSubstituted);
-        tell_one_sided(element);
-      }
+      const auto index = plan_.joint_named(std::string(joint->text));
+      if (!index) continue;
+      const robot::Joint& driven = plan_.robot.joints[*index];
+      if (driven.axes.size() != 1 || !std::isfinite(driven.axes[0].effort)) continue;
+      take(element, kDrive, Outcome::kSubstituted);
+      tell_one_sided(element);
     }
   }
 
@@ -420,7 +437,13 @@ Account close_mjcf_account(Ledger ledger) {
       },
       mjcf_source_kind);
   for (Note& note : account.notes) {
-    const bool path = note.kind >= NoteKind::kFromMjcfBodies;
+    const bool path =
+        note.kind >= NoteKind::kFromMjcfBodies && note.kind <= NoteKind::kFromMjcfOther;
+    // Of a constraint that is in the result, which is as hard as a joint.
+    const bool softness =
+        note.kind == NoteKind::kFromMjcfEquality &&
+        (note.written.ends_with("/@solref") || note.written.ends_with("/@solimp"));
+    if (softness) note.kind = NoteKind::kFromMjcfDynamics;
     if (path && note.outcome == Outcome::kLost && note.instead.empty()) {
       note.written = std::string(last_two(note.written));
     }

@@ -75,6 +75,15 @@ MjcfPlan::MjcfPlan(const FromMjcfSource& from, const FromMjcfOptions& how, MjcfT
                         .written = unknown});
   }
   if (!refusals.empty()) return;
+  for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
+    body_index_.try_emplace(robot.bodies[i].name, i);
+  }
+  for (std::uint32_t i = 0; i < robot.joints.size(); ++i) {
+    joint_index_.try_emplace(robot.joints[i].name, i);
+  }
+  for (std::uint32_t i = 0; i < all.frames.size(); ++i) {
+    site_index_.try_emplace(all.frames[i].name.value, i);
+  }
   free_joint.resize(robot.bodies.size());
   for (std::uint32_t i = 0; i < all.joints.size(); ++i) {
     if (all.joints[i].type != JointType::kFloating) {
@@ -161,22 +170,26 @@ void MjcfPlan::find_locks() {
   }
 }
 
-std::optional<std::uint32_t> MjcfPlan::body_named(std::string_view name) const {
-  for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
-    if (robot.bodies[i].name == name) return i;
-  }
-  return std::nullopt;
+std::optional<std::uint32_t> MjcfPlan::body_named(const std::string& name) const {
+  const auto found = body_index_.find(name);
+  return found == body_index_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::optional<Pose> MjcfPlan::site_pose(std::string_view name, std::uint32_t& body) const {
-  for (const model::Frame& frame : root().frames) {
-    if (frame.name.value != name) continue;
-    const auto carrier = body_named(frame.attached_to.value);
-    if (!carrier) return std::nullopt;
-    body = *carrier;
-    return frame.pose.pose.value;
-  }
-  return std::nullopt;
+std::optional<std::uint32_t> MjcfPlan::joint_named(const std::string& name) const {
+  const auto found = joint_index_.find(name);
+  return found == joint_index_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<Pose> MjcfPlan::site_pose(const std::string& name, std::uint32_t& body) const {
+  // One with the name of a body or joint has another name in the model.
+  auto found = site_index_.find(name);
+  if (found == site_index_.end()) found = site_index_.find(name + "_site");
+  if (found == site_index_.end()) return std::nullopt;
+  const model::Frame& frame = root().frames[found->second];
+  const auto carrier = body_named(frame.attached_to.value);
+  if (!carrier) return std::nullopt;
+  body = *carrier;
+  return frame.pose.pose.value;
 }
 
 /// The world's is the world.

@@ -14,12 +14,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include <rigor/convert/from_mjcf.h>
-#include <rigor/read/mjcf/mjcf_scope.h>
 #include <rigor/model/unique_names.h>
+#include <rigor/read/mjcf/mjcf_scope.h>
 
 namespace rigor::convert {
 
@@ -51,6 +52,11 @@ struct MjcfPlan {
     return body < root().links.size() && link(body).between_joints;
   }
   std::string unique(model::UniqueNames& taken, const std::string& name) const;
+  /// By its name in the file; of a joint, of the robot's.
+  std::optional<std::uint32_t> body_named(const std::string& name) const;
+  std::optional<std::uint32_t> joint_named(const std::string& name) const;
+  /// In the body that carries it, which may be one that is not converted.
+  std::optional<model::Pose> site_pose(const std::string& name, std::uint32_t& body) const;
 
   const FromMjcfSource& source;
   const FromMjcfOptions& options;
@@ -85,8 +91,7 @@ struct MjcfPlan {
   void find_locks();
   void find_loops();
   std::uint32_t root_of(std::uint32_t body) const;
-  std::optional<std::uint32_t> body_named(std::string_view name) const;
-  std::optional<model::Pose> site_pose(std::string_view name, std::uint32_t& body) const;
+  std::unordered_map<std::string, std::uint32_t> body_index_, joint_index_, site_index_;
 };
 
 /// The text of an attribute; empty where it is not written.

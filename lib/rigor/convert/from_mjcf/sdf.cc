@@ -14,6 +14,8 @@
 #include <rigor/convert/number_text.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/model/subject.h>
+#include <rigor/read/mjcf/mjcf_settings.h>
+#include <rigor/read/values.h>
 #include <rigor/write/numbers.h>
 
 namespace rigor::convert {
@@ -136,7 +138,7 @@ class MjcfToSdf {
     const mass::MassProperties body =
         mass::resolve(root_, plan_.source.source.frames, {i}, plan_.source.lookups.find_mesh).body;
     if (body.mass > 0) {
-      link.inertial = inertial_of(body);
+      link.inertial = as_written(i).value_or(inertial_of(body));
     } else {
       link.inertial = next_to_nothing(draft_);
       if (body.about_com != mass::Inertia{}) {
@@ -148,11 +150,36 @@ class MjcfToSdf {
            model::subject(root_, plan_.link(i)), {},
            "a link of " + to_text(link.inertial->mass) + " kg");
     }
+    floats_against_gravity(link, i);
     add_shapes(link, i);
     if (const auto own = sensors_.of_body.find(i); own != sensors_.of_body.end()) {
       link.raw = own->second;
     }
     draft_.robot.parts.emplace_back(std::move(link));
+  }
+
+  /// In its own axes, with all digits: turned into those of the link, the moments of a thin rod may be ones that no
+  /// body has. Nothing where the compiler changes what is written, and of a URDF-like tensor, which has the link's.
+  std::optional<UrdfInertial> as_written(std::uint32_t i) const {
+    const model::Inertial& inertial = plan_.link(i).inertial;
+    const model::MassSettings& settings = root_.mass_settings;
+    const bool changed = settings.balance_inertia || settings.bound_mass > 0 ||
+                         settings.bound_inertia > 0 || settings.total_mass > 0;
+    if (!inertial.written || changed) return std::nullopt;
+    UrdfInertial result = inertial_of(
+        {inertial.mass.value, inertial.pose.pose.value.translation, mass::tensor(inertial)});
+    result.origin = origin_of(inertial.pose.pose.value);
+    return result;
+  }
+
+  /// `gravcomp` of 1 lifts the body as hard as gravity pulls it down.
+  void floats_against_gravity(SdfLink& link, std::uint32_t i) {
+    const xml::Element element = plan_.source.source.documents.element(plan_.link(i).site);
+    const auto text = read::attribute_text(element, "gravcomp");
+    const auto numbers = text ? read::mjcf_numbers(text->text) : std::nullopt;
+    if (!numbers || numbers->size() != 1 || numbers->front() != 1) return;
+    ledger_.take_value(text->span);
+    link.settings.push_back(text_element("gravity", "false"));
   }
 
   void add_shapes(SdfLink& link, std::uint32_t i) {
@@ -162,6 +189,7 @@ class MjcfToSdf {
       const std::string subject = model::subject(root_, visual);
       for (MjcfShape& shape : shaper_.shapes(visual.geometry, subject, MjcfUse::kVisual)) {
         SdfShape part = part_of(std::move(shape), visual.pose, body.visuals[k].name);
+        tell_renamed(visual.name, body.visuals[k].name, subject);
         if (visual.material.rgba) part.rest.push_back(look(*visual.material.rgba));
         link.visuals.push_back(std::move(part));
       }
@@ -171,10 +199,17 @@ class MjcfToSdf {
       const std::string subject = model::subject(root_, collision);
       for (MjcfShape& shape : shaper_.shapes(collision.geometry, subject, MjcfUse::kCollision)) {
         SdfShape part = part_of(std::move(shape), collision.pose, body.collisions[k].name);
+        tell_renamed(collision.name, body.collisions[k].name, subject);
         if (collision.surface.mu.written) part.rest.push_back(surface(collision.surface.mu.value));
         link.collisions.push_back(std::move(part));
       }
     }
+  }
+
+  void tell_renamed(const model::Field<std::string>& written, const std::string& name,
+                    const std::string& subject) {
+    if (written.value.empty() || written.value == name) return;
+    note(NoteKind::kRenamed, Outcome::kRewritten, written.span, subject, written.value, name);
   }
 
   static SdfShape part_of(MjcfShape shape, const model::PoseField& pose, const std::string& name) {
@@ -224,6 +259,10 @@ class MjcfToSdf {
     result.child = name_of(joint.child);
     result.pose.origin = origin_of(written.pose.pose.value);
     result_.joints.emplace(joint.name, std::vector{result.name});
+    // What the file gives no name to, no controller names.
+    if (written.name.written && result.name != joint.name)
+      note(NoteKind::kFromMjcfRenamed, Outcome::kRewritten, written.name.span,
+           model::subject(root_, written), "joint " + joint.name, result.name);
     if (joint.type == JointType::kBall) {
       result.type = "ball";
     } else if (joint.axes.empty() || length(joint.axes[0].direction) == 0) {
@@ -262,10 +301,9 @@ class MjcfToSdf {
     }
     if (!dynamics.children.empty()) result.rest.push_back(std::move(dynamics));
     if (!axis.follow) return result;
-    for (std::size_t i = 0; i < plan_.robot.joints.size(); ++i) {
-      if (plan_.robot.joints[i].name != axis.follow->joint) continue;
-      result.mimic =
-          UrdfMimic{plan_.joint_names[i], {axis.follow->multiplier, {}}, {axis.follow->offset, {}}};
+    if (const auto leader = plan_.joint_named(axis.follow->joint)) {
+      result.mimic = UrdfMimic{
+          plan_.joint_names[*leader], {axis.follow->multiplier, {}}, {axis.follow->offset, {}}};
     }
     return result;
   }
@@ -292,14 +330,12 @@ class MjcfToSdf {
 
   void add_sites() {
     for (const model::Frame& frame : root_.frames) {
-      for (std::uint32_t i = 0; i < plan_.robot.bodies.size(); ++i) {
-        const bool carries = plan_.robot.bodies[i].name == frame.attached_to.value;
-        if (!carries || i == plan_.world || !plan_.chosen[i]) continue;
-        SdfFrame result{.name = plan_.unique(taken_, frame.name.value),
-                        .attached_to = plan_.link_names[i]};
-        result.pose.origin = origin_of(frame.pose.pose.value);
-        draft_.robot.parts.emplace_back(std::move(result));
-      }
+      const auto body = plan_.body_named(frame.attached_to.value);
+      if (!body || *body == plan_.world || !plan_.chosen[*body]) continue;
+      SdfFrame result{.name = plan_.unique(taken_, frame.name.value),
+                      .attached_to = plan_.link_names[*body]};
+      result.pose.origin = origin_of(frame.pose.pose.value);
+      draft_.robot.parts.emplace_back(std::move(result));
     }
   }
 

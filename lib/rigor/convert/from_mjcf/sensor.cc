@@ -11,6 +11,7 @@
 #include <rigor/convert/number_text.h>
 #include <rigor/convert/xml_writer.h>
 #include <rigor/read/mjcf/mjcf_pose.h>
+#include <rigor/read/mjcf/mjcf_settings.h>
 #include <rigor/read/values.h>
 
 namespace rigor::convert {
@@ -71,15 +72,9 @@ class MjcfSensorReader {
   };
 
   std::optional<Placed> place_of(const std::string& site) const {
-    for (const model::Frame& frame : plan_.root().frames) {
-      if (frame.name.value != site && frame.name.value != site + "_site") continue;
-      for (std::uint32_t i = 0; i < plan_.robot.bodies.size(); ++i) {
-        const bool carries = plan_.robot.bodies[i].name == frame.attached_to.value;
-        if (carries && i != plan_.world && plan_.chosen[i]) {
-          return Placed{i, frame.pose.pose.value};
-        }
-      }
-    }
+    std::uint32_t body = 0;
+    const auto X_LS = plan_.site_pose(site, body);
+    if (X_LS && body != plan_.world && plan_.chosen[body]) return Placed{body, *X_LS};
     return std::nullopt;
   }
 
@@ -127,7 +122,21 @@ class MjcfSensorReader {
                     .subject = std::string(element.name()) + " " + mjcf_word(element, "name"),
                     .written = std::string(element.name()),
                     .instead = instead});
+      for (const char* setting : {"noise", "cutoff"}) tell_setting(element, setting);
     }
+  }
+
+  /// Noise that is added by who reads the sensor, and the largest value.
+  void tell_setting(xml::Element element, const char* setting) {
+    const auto text = read::attribute_text(element, setting);
+    const auto number = text ? read::mjcf_numbers(text->text) : std::nullopt;
+    if (!number || number->size() != 1 || number->front() == 0) return;
+    ledger_.take_value(text->span, Outcome::kLost);
+    ledger_.note({.kind = NoteKind::kFromMjcfSensor,
+                  .where = text->span,
+                  .subject = std::string(element.name()) + " " + mjcf_word(element, "name"),
+                  .written = std::string(setting) + " " + std::string(text->text) + " of the " +
+                             std::string(element.name())});
   }
 
   template <class Content>
@@ -157,17 +166,26 @@ class MjcfSensorReader {
       if (mode != "fixed" || !(fovy > 0) || !(fovy < std::numbers::pi)) continue;
       const Pose X = compose(read::mjcf_pose(values, plan_.scope.settings),
                              inverse(Pose{{}, kFromCameraOfSdf}));
-      const double across = 2 * std::atan(std::tan(fovy / 2) * kImageWidth / kImageHeight);
+      int width = kImageWidth, height = kImageHeight;
+      constexpr double kMostPixels = 32768;
+      const std::vector<double> n = values.numbers("resolution");
+      // MuJoCo's own 1 × 1 is no image.
+      const bool sized =
+          n.size() == 2 && n[0] > 1 && n[1] > 1 && n[0] <= kMostPixels && n[1] <= kMostPixels;
+      if (sized) {
+        width = static_cast<int>(n[0]);
+        height = static_cast<int>(n[1]);
+      }
+      const double across = 2 * std::atan(std::tan(fovy / 2) * width / height);
       std::string name = mjcf_word(child, "name");
       name = name_in(body, name.empty() ? "camera" : name);
-      take({child},
-           "a camera of " + std::to_string(kImageWidth) + " x " + std::to_string(kImageHeight));
+      take({child}, "a camera of " + std::to_string(width) + " x " + std::to_string(height));
       sensors_.of_body[body].push_back(sensor(name, "camera", X, [&](XmlWriter& out) {
         out.open("camera");
         out.text("horizontal_fov", to_text({across, {}}));
         out.open("image");
-        out.text("width", std::to_string(kImageWidth));
-        out.text("height", std::to_string(kImageHeight));
+        out.text("width", std::to_string(width));
+        out.text("height", std::to_string(height));
         out.close();
         out.close();
       }));

@@ -45,7 +45,13 @@ std::span<const Row> from_mjcf_rows() {
        .what_to_do = "Check whether the robot needs the constraint."},
       {.rule = {"convert-from-mjcf-actuator", NoteKind::kFromMjcfActuator, Severity::kInfo,
                 Formats::kMjcf},
-       .message = "{written} is lost: only the effort limit of an actuator is in the result",
+       .message =
+           [](const convert::Note& note) {
+             return note.written.find('@') == note.written.npos && note.instead.empty()
+                        ? "{written} is lost: it gives no joint an effort limit"
+                        : "{written} is lost: only the effort limit of an actuator is in the "
+                          "result";
+           },
        .summary = "an actuator becomes the effort limit of its joint",
        .why = "SDF and URDF describe what drives a joint by plugins and controllers. Ranges of "
               "forces and "
@@ -175,6 +181,21 @@ std::span<const Row> from_mjcf_rows() {
        .summary = "limits, damping, friction and springs of a ball or free joint are lost",
        .why = "Neither has an axis in SDF or URDF, and so no limit, damping or friction.",
        .what_to_do = "Use three hinges of one body in place of the ball where its limits matter."},
+      {.rule = {"convert-from-mjcf-renamed", NoteKind::kFromMjcfRenamed, Severity::kWarning,
+                Formats::kMjcf},
+       .message = "{written} is named {instead} in the result",
+       .summary = "a joint has another name in the result",
+       .why = "MuJoCo has a set of names for each kind of element. SDF has one for the links, "
+              "joints and frames of a model: a joint with the name of a link gets another one, "
+              "and a controller that asks for the old one finds nothing.",
+       .what_to_do = "Use the new name in controllers, or rename the joint in the MJCF file."},
+      {.rule = {"convert-from-mjcf-gravity", NoteKind::kFromMjcfGravity, Severity::kWarning,
+                Formats::kMjcf},
+       .message = "gravity {written} is lost: it is the world's, not the model's",
+       .summary = "gravity other than that of Earth is lost",
+       .why = "Neither SDF nor URDF has gravity in a model. Loaded into a world with the default "
+              "gravity, the robot falls otherwise than in MuJoCo.",
+       .what_to_do = "Write it as <gravity> of the world that the model is loaded into."},
   };
   return kRows;
 }
