@@ -30,7 +30,8 @@ import tempfile
 import threading
 import time
 
-MODELS = (".sdf", ".world", ".urdf", ".xacro")
+MODELS = (".sdf", ".world", ".urdf", ".xacro", ".srdf")
+MJCF = ".xml"  # where it begins with <mujoco>: most others are something else
 MESHES = (".stl", ".obj", ".dae", ".glb", ".gltf", ".ply")
 GROUP = 20
 ENOUGH_RUNS = 50  # of which one at least is not refused for what the file is
@@ -68,6 +69,13 @@ WORDS = [b"../../../../../x", b"/proc/self/environ", b"model://", b"package://",
          b"<mimic joint='x'/>", b"'", b'"', b">", b"<", b"/>", b"\n" * 50, b" " * 300, b"%s%n", b"a" * 5000]
 
 
+def is_mjcf(path):
+    if not path.lower().endswith(MJCF):
+        return False
+    with open(path, "rb") as file:
+        return b"<mujoco" in file.read(4000)
+
+
 def real_files(folders, largest=2_000_000):
     """Models and meshes of so many bytes at most, by folder and name; links are left out."""
     found = []
@@ -76,8 +84,8 @@ def real_files(folders, largest=2_000_000):
             inner.sort()
             for name in sorted(names):
                 path = os.path.join(place, name)
-                if name.lower().endswith(MODELS + MESHES) and not os.path.islink(path):
-                    if 0 < os.path.getsize(path) <= largest:
+                if name.lower().endswith((*MODELS, *MESHES, MJCF)) and not os.path.islink(path):
+                    if 0 < os.path.getsize(path) <= largest and (is_mjcf(path) or not name.lower().endswith(MJCF)):
                         found.append(path)
     return found
 
@@ -146,8 +154,9 @@ class Case:
     def __init__(self, root, number, seed, files):
         rng = random.Random(f"{seed} {number}")
         models = [path for path in files if path.lower().endswith(MODELS)]
+        mjcf = [path for path in files if path.lower().endswith(MJCF)]
         meshes = [path for path in files if path.lower().endswith(MESHES)]
-        self.original = rng.choice(rng.choice([models or meshes, meshes or models]))
+        self.original = rng.choice(rng.choice([some for some in (models, models, mjcf, meshes, meshes) if some]))
         self.number = number
         self.folder = os.path.join(root, f"case{number}")
         name = os.path.basename(self.original)
@@ -174,7 +183,8 @@ class Case:
         """`alone` of them, or all."""
         lines = OF_MESH if self.mesh else OF_MODEL
         chosen = lines if alone is None else [lines[(self.number * alone + k) % len(lines)] for k in range(alone)]
-        convert = "urdf2sdf" if self.path.lower().endswith((".urdf", ".xacro")) else "sdf2urdf"
+        ending = os.path.splitext(self.path.lower())[1]
+        convert = {".urdf": "urdf2sdf", ".xacro": "urdf2sdf", MJCF: ("mjcf2sdf", "mjcf2urdf")[self.number % 2]}.get(ending, "sdf2urdf")
         if self.path.lower().endswith((".sdf", ".world")):
             chosen = [*chosen, OF_SDF]
         for line in chosen:

@@ -111,11 +111,28 @@ def polyline(n):
     return sdf(f"<link name='l'>{INERTIAL}<collision name='c'><geometry><polyline>{points}<height>1</height></polyline></geometry></collision></link>")
 
 
+def mjcf(inside):
+    return f"<mujoco><worldbody>{inside}</worldbody></mujoco>"
+
+
+def mjcf_twins(n):
+    return mjcf("<body name='b'><geom size='1'/>" + "<body name='b'><geom name='g' size='1'/></body><site name='b'/>" * (n // 4) + "</body>")
+
+
+def mjcf_replicate(n):
+    return mjcf(f"<replicate count='{n}' offset='3 0 0'><body name='b'><joint name='j'/><geom size='1'/><site name='s'/></body></replicate>")
+
+
+def mjcf_attach(n):
+    return mjcf("<body name='b'><joint/><geom size='1'/></body>" + "".join(f"<attach body='b' prefix='p{i}'/>" for i in range(n // 100)))
+
+
 KINDS = {
     "chain": (chain, ".sdf"), "star": (star, ".sdf"), "ellipsoids": (shapes("visual", "<ellipsoid><radii>1 2 3</radii></ellipsoid>"), ".sdf"),
     "collisions": (shapes("collision", "<box><size>1 1 1</size></box>"), ".sdf"), "models": (models, ".sdf"), "frames": (frames, ".sdf"),
     "plugins": (plugins, ".sdf"), "sensors": (sensors, ".sdf"), "unknown": (unknown, ".sdf"), "twins": (twins, ".sdf"), "missing": (missing, ".sdf"),
     "polyline": (polyline, ".sdf"), "urdf-chain": (urdf_chain, ".urdf"), "urdf-mimics": (urdf_mimics, ".urdf"), "urdf-materials": (urdf_materials, ".urdf"), "urdf-star": (urdf_shapes, ".urdf"),
+    "mjcf-twins": (mjcf_twins, ".xml"), "mjcf-replicate": (mjcf_replicate, ".xml"), "mjcf-attach": (mjcf_attach, ".xml"),
 }
 COMMANDS = {
     "validate": "validate {0}", "inspect": "inspect {0}", "inertia": "inertia {0} --material abs", "convert": "{convert} {0} --allow-loss -o {out}.model",
@@ -171,7 +188,7 @@ def main():
             for command in a.command or COMMANDS:
                 line, mark, before = "", "", None
                 for n, path in zip(a.sizes, paths):
-                    words = COMMANDS[command].format(path, out=os.path.join(folder, "out"), convert="urdf2sdf" if ending == ".urdf" else "sdf2urdf")
+                    words = COMMANDS[command].format(path, out=os.path.join(folder, "out"), convert={".urdf": "urdf2sdf", ".xml": "mjcf2sdf"}.get(ending, "sdf2urdf"))
                     seconds, code = cpu_seconds([a.rigor, *words.split()], a.limit)
                     text = f"{seconds:.2f}"
                     line += f"{'(' + text + ')' if code == 2 else text:>10}"

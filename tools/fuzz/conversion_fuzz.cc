@@ -35,6 +35,9 @@ void convert(const std::string& path, const std::string& bytes) {
         return to_urdf(environment, sources, workspace, loaded, {}, options);
       case rigor::model::Format::kUrdf:
         return to_sdf(environment, sources, workspace, loaded, {}, options);
+      case rigor::model::Format::kMjcf:
+        from_mjcf_to_urdf(environment, sources, workspace, loaded, {}, options);
+        return from_mjcf_to_sdf(environment, sources, workspace, loaded, {}, options);
       default: return {};
     }
   }();
@@ -48,5 +51,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   convert("fuzz.sdf", bytes);
   convert("fuzz.urdf", bytes);
+  convert("fuzz.xml", bytes);
   return 0;
 }
