@@ -186,9 +186,9 @@ TEST_F(DiffCli, ArgumentsOfTemplatesCountForTheFileBeforeThem) {
   EXPECT_NE(two.err.find("len:=2 and len:=3: all files are given the same arguments"),
             std::string::npos)
       << two.err;
-  for (const std::string command :
-       {"fmt --check", "explain", "new", "merge", "schema", "init", "rules"}) {
-    const Ran ran = folder_.rigor(command + " a.xacro len:=2");
+  for (const std::string command : {"fmt --check a.xacro", "explain a.xacro", "new a.xacro",
+                                    "merge a.xacro", "schema a.xacro", "init a.xacro", "rules"}) {
+    const Ran ran = folder_.rigor(command + " len:=2");
     EXPECT_EQ(ran.exit, 2) << command;
     EXPECT_NE(ran.err.find("takes no arguments of templates, as len:=2 is one"), std::string::npos)
         << ran.err;

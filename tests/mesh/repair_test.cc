@@ -345,7 +345,7 @@ TEST(Repair, ManyTrianglesAtAnEdgeAreNoBurden) {
   TriangleMesh same;
   same.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   same.triangles.assign(kMany, {0, 1, 2});
-  EXPECT_EQ(topology_of(repair(same, {}).mesh).duplicates, 0U);
+  EXPECT_EQ(worse_in(topology_of(same), topology_of(repair(same, {}).mesh)), "");
   TriangleMesh fan;
   fan.positions = {{0, 0, 0}, {0, 0, 1}};
   for (std::uint32_t i = 0; i < kMany; ++i) {

@@ -164,7 +164,7 @@ TEST_F(JsonSchema, RealFilesConform) {
 TEST_F(JsonSchema, TheTestSeesWhatIsWrong) {
   SchemaJson document = SchemaJson::parse(json(found_.result, found_.sources));
   document["summary"].erase("errors");
-  document["files"][0]["kind"] = "mjcf";
+  document["files"][0]["kind"] = "step";
   document["diagnostics"][0]["line"] = 0;
   document["diagnostics"][0]["path"] = nullptr;
   document["diagnostics"][1]["more"] = 1;

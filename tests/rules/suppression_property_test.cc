@@ -14,7 +14,7 @@
 
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
-#include <rigor/rules/suppression_comment.h>
+#include <rigor/rules/suppression/suppression_comment.h>
 #include <rigor/text/edit.h>
 #include <rigor/text/sources.h>
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include <rigor/simulate/footprint.h>
-#include <rigor/simulate/joint_cycles.h>
 #include <rigor/simulate/joint_load.h>
+#include <rigor/simulate/scene/joint_cycles.h>
 #include <rigor/simulate/test/parts.h>
 
 #include "simulate/hand_robot.h"

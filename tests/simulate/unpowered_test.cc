@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/unpowered.h>
+#include <rigor/simulate/scene/unpowered.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/text/folder_store.h>
+#include <rigor/text/store/folder_store.h>
 
 #include <algorithm>
 #include <atomic>

@@ -18,7 +18,7 @@
 #include <rigor/simulate/pose/group_state.h>
 #include <rigor/simulate/pose/stand_pose.h>
 #include <rigor/simulate/scene/input.h>
-#include <rigor/simulate/unpowered.h>
+#include <rigor/simulate/scene/unpowered.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::author {

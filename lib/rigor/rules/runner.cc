@@ -4,6 +4,7 @@
 #include <rigor/rules/runner.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -65,6 +66,25 @@ const schema::Schema* schema_of(const Environment& environment, model::Format fo
 }
 
 }  // namespace
+
+std::optional<std::string> unknown_name(const Selection& selection, const Registry& registry) {
+  if (selection.select.empty() && selection.ignore.empty() && selection.severity.empty())
+    return std::nullopt;
+  std::set<std::string_view> known;
+  for (const Rule& rule : registry.rules()) {
+    known.insert(rule.name);
+    known.insert(to_string(rule.category));
+  }
+  for (const auto* list : {&selection.select, &selection.ignore}) {
+    for (const std::string& name : *list) {
+      if (!known.contains(name)) return name;
+    }
+  }
+  for (const auto& [name, level] : selection.severity) {
+    if (!known.contains(name)) return name;
+  }
+  return std::nullopt;
+}
 
 Runner::Runner(const Registry& registry, const Selection& selection)
     : max_listed_(selection.max_listed) {

@@ -11,7 +11,7 @@
 
 #include <rigor/rules/registry.h>
 #include <rigor/rules/runner.h>
-#include <rigor/rules/suppression_comment.h>
+#include <rigor/rules/suppression/suppression_comment.h>
 #include <rigor/schema/suggest.h>
 #include <rigor/text/byte_order_mark.h>
 #include <rigor/xml/style.h>

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include <rigor/simulate/metric/parts.h>
@@ -51,17 +50,9 @@ bool is_in_time(const Again& again, const Run& run) {
   return again.record.end != Record::End::kOutOfTime || was_stopped(run.record);
 }
 
-/// What an engine refused or crashed on was not seen to do what a run shows that came to its end. Where that came
-/// apart, ODE stops at the same numbers.
-bool was_seen(const Again& again, const Run& run) {
-  const bool refuses = again.record.end == Record::End::kRefused && came_apart(run.record);
-  return !again.stopped || was_stopped(run.record) || refuses;
-}
-
 /// The exact solver comes apart on contacts that the iterative one takes.
 bool has_a_say(const Again& again, const Run& run) {
-  return is_in_time(again, run) && was_seen(again, run) &&
-         (!came_apart(again.record) || came_apart(run.record));
+  return is_in_time(again, run) && (!came_apart(again.record) || came_apart(run.record));
 }
 
 /// What the runs of a failure say, the first among those that show it. Two that agree are enough.
@@ -91,26 +82,6 @@ Votes votes_for(const std::vector<Again>& agains, const Run& run, const Metric& 
 bool is_exact(const Again& again) {
   return again.variant.other == Variant::Other::kSolver &&
          again.variant.settings.solver == Solver::kDantzig;
-}
-
-/// Whether a run is well clear of a failure: 4.9 % against a limit of 5 % is no other opinion than 5.3 %.
-bool clearly_lacks(const Again& again, const Metric& failure) {
-  if (shows(again, failure)) return false;
-  const auto same = std::find_if(again.metrics.begin(), again.metrics.end(),
-                                 [&](const Metric& metric) { return metric.id == failure.id; });
-  if (same == again.metrics.end() || same->verdict != Verdict::kWarn) return true;
-  if (!same->warn || !same->fail) return true;
-  return std::abs(same->value - *same->warn) < std::abs(same->value - *same->fail);
-}
-
-/// Whether the exact solver came to the end of the run without the failure. Half the step shares the iterative solver and
-/// what it leaves unsolved: the two are no majority. What flies apart with most runs is no matter of convergence.
-bool is_denied_by_exact(const std::vector<Again>& agains, const Run& run, const Metric& failure) {
-  return !came_apart(run.record) &&
-         std::any_of(agains.begin(), agains.end(), [&](const Again& again) {
-           return is_exact(again) && again.record.end == Record::End::kDone &&
-                  again.record.solver_messages == 0 && clearly_lacks(again, failure);
-         });
 }
 
 /// The exact solver's metric of a run that came to its end, where it is not as bad; null otherwise.
@@ -192,7 +163,7 @@ Next next_of(const std::vector<Again>& agains, const Run& run) {
       (was_stopped(run.record) && votes_for_stop(agains, run).open()) ||
       std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
         return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).open() &&
-               !is_denied_by_exact(agains, run, metric) && exact_instead(agains, metric) == nullptr;
+               exact_instead(agains, metric) == nullptr;
       });
   // The exact solver is the first of the variants.
   const bool any_doubtful =
@@ -208,9 +179,6 @@ Next next_of(const std::vector<Again>& agains, const Run& run) {
 
 void confirm(const std::vector<Again>& agains, Run& run) {
   const bool stopped = was_stopped(run.record);
-  const bool fails_at_all =
-      std::any_of(run.metrics.begin(), run.metrics.end(),
-                  [](const Metric& metric) { return metric.verdict == Verdict::kFail; });
   run.confirmations.clear();
   for (const Again& again : agains) {
     Confirmation confirmation{.what = again.variant.what,
@@ -222,12 +190,10 @@ void confirm(const std::vector<Again>& agains, Run& run) {
     if (again.stopped) confirmation.verdict = Verdict::kInvalid;
     for (const Metric& metric : run.metrics) {
       if (!has_a_say(again, run)) continue;
-      const bool is_failure = metric.verdict == Verdict::kFail;
       const bool is_asked = is_exact(again) && is_for_exact(metric);
-      if (!is_failure && !is_asked) continue;
+      if (metric.verdict != Verdict::kFail && !is_asked) continue;
       if (is_asked ? better_exact(again, metric) == nullptr : shows(again, metric)) {
-        // A warning that both have is no agreement on a failure that only one has.
-        confirmation.agrees = confirmation.agrees || is_failure || !fails_at_all;
+        confirmation.agrees = true;
       } else {
         confirmation.lacking.push_back(metric.id);
       }
@@ -237,8 +203,7 @@ void confirm(const std::vector<Again>& agains, Run& run) {
   for (Metric& metric : run.metrics) {
     if (const Metric* exact = exact_instead(agains, metric)) {
       metric = *exact;
-    } else if (metric.verdict == Verdict::kFail && (votes_for(agains, run, metric).denied() ||
-                                                    is_denied_by_exact(agains, run, metric))) {
+    } else if (metric.verdict == Verdict::kFail && votes_for(agains, run, metric).denied()) {
       blame_solver(metric);
     }
   }

@@ -250,20 +250,6 @@ void add_idle_wheels(const Scene& scene, const DriveTrain& wheels, Planned& plan
   add_fact(std::move(fact), planned);
 }
 
-/// A drive that was asked for and left out.
-void add_missing_drive(const Scene& scene, const std::string& test, const std::string& why,
-                       Planned& planned) {
-  Fact fact = about_scene(scene);
-  fact.kind = FactKind::kWheelsMiss;
-  fact.test = test;
-  fact.help = why;
-  add_fact(std::move(fact), planned);
-}
-
-bool is_drive(std::string_view test) {
-  return test == "drive" || test == "turn" || test == "brake";
-}
-
 void add_test(const Plan& plan, const std::string& test, const Scene& scene,
               const DriveTrain& wheels, MountNotes& notes, Planned& planned) {
   const MountChoice mount = mount_of(plan, test, scene, wheels);
@@ -273,11 +259,6 @@ void add_test(const Plan& plan, const std::string& test, const Scene& scene,
   if (mount.tips_over) add_tipping(scene, planned);
   if (!made.scenario) {
     planned.left_out.push_back(test + ": " + made.why_not);
-    const bool lacks_wheels = wheels.empty() ? is_drive(test) : test == "drive";
-    const bool is_held =
-        mount.base != Base::kFree || !stands_free(scene, 0) || is_to_be_bolted(scene, 0, wheels);
-    if (lacks_wheels && scene.alone && !is_held)
-      add_missing_drive(scene, test, made.why_not, planned);
     return;
   }
   made.scenario->base = mount.base;

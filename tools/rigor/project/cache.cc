@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include <rigor/report/tool.h>
-#include <rigor/text/file_stamp.h>
 #include <rigor/text/path.h>
+#include <rigor/text/store/file_stamp.h>
 
 namespace rigor::tool {
 namespace {

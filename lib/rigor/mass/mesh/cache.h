@@ -26,8 +26,8 @@
 #include <rigor/process/workers.h>
 #include <rigor/text/digest.h>
 #include <rigor/text/disk.h>
-#include <rigor/text/file_stamp.h>
-#include <rigor/text/folder_store.h>
+#include <rigor/text/store/file_stamp.h>
+#include <rigor/text/store/folder_store.h>
 #include <rigor/text/witness.h>
 
 namespace rigor::mass {

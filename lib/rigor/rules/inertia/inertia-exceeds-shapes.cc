@@ -69,19 +69,22 @@ double leniency(const model::Link& link, const Context& context) {
 /// A body between two planes has its mass farthest from the center when half of it is on each, m.
 double allowed(double width) { return kDrawnSmaller * width / 2 + kThin; }
 
-// A rod in place of a leg is thinner than the leg: where its length tells the mistake, that is enough.
-constexpr double kRod = 0.2;  // of its length
+// A rod in place of a leg is thinner than the leg, whose mass is spread along it all the same.
+constexpr double kRod = 0.2;      // of its length
+constexpr double kSlender = 0.5;  // of the spread along it
 constexpr double kThicker = 1.5;
 
-/// The one that breaks most, where shapes may be `thicker` times what is drawn across their length.
-const Spread* impossible(const Spreads& spreads, const Outline& outline, double leniency,
-                         double thicker = 1) {
+const Spread* impossible(const Spreads& spreads, const Outline& outline, double leniency) {
   const Spread* worst = nullptr;
-  double most = leniency, longest = 0;
-  for (const Spread& spread : spreads) longest = std::max(longest, outline.extent(spread.axis_L));
+  double most = leniency, longest = 0, farthest = 0;
+  for (const Spread& spread : spreads) {
+    longest = std::max(longest, outline.extent(spread.axis_L));
+    farthest = std::max(farthest, spread.spread);
+  }
   for (const Spread& spread : spreads) {
     const double extent = outline.extent(spread.axis_L);
-    const double limit = allowed(extent) * (extent < kRod * longest ? thicker : 1);
+    const bool rod = extent < kRod * longest && spread.spread < kSlender * farthest;
+    const double limit = allowed(extent) * (rod ? kThicker : 1);
     if (spread.least <= most * limit) continue;
     most = spread.least / limit;
     worst = &spread;
@@ -140,7 +143,7 @@ std::optional<mass::Inertia> moved_to_center(const model::Inertial& inertial,
   const mass::Inertia about_com = without_mass_at_center(inertial);
   if (!mass::judge(inertial.mass.value, about_com).possible()) return std::nullopt;
   const Spreads then = spreads(inertial, about_com, context);
-  if (impossible(then, outline, leniency, kThicker)) return std::nullopt;
+  if (impossible(then, outline, leniency)) return std::nullopt;
   return about_com;
 }
 
@@ -169,10 +172,7 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   if (!outline) return;
   const Box box = box_around(*outline);
   if (reported_elsewhere(link, box, context)) return;
-  const Spread* const lengthwise = impossible(*all, *outline, most, kThicker);
-  const auto about_com =
-      lengthwise != nullptr ? moved_to_center(inertial, *outline, most, context) : std::nullopt;
-  const Spread& worst = about_com ? *lengthwise : *impossible(*all, *outline, most);
+  const Spread& worst = *impossible(*all, *outline, most);
   const double extent = outline->extent(worst.axis_L);
   const double share = mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace);
   Finding finding{
@@ -184,7 +184,7 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
       .subject = context.subject(link)};
   const double density = inertial.mass.value / box.volume;
   if (is_centered_outside(inertial, *outline) && !slip_of_share(share, density)) return;
-  if (about_com) {
+  if (const auto about_com = moved_to_center(inertial, *outline, most, context)) {
     finding.help = fmt::format(
         "the tensor looks as if it were about the link's origin: without the {} kg at the center "
         "of mass, {:.3g} m away, it fits",

@@ -22,7 +22,7 @@ Rule rule() {
       .summary = "color with components over 1",
       .why = "MuJoCo takes colors from 0 to 1: all components over 1 look the same, so "
              "that a color from 0 to 255 is white or one of few.",
-      .what_to_do = "Divide by 255.",
+      .what_to_do = "Divide the numbers by 255.",
       .checks = {on_mjcf({read::MjcfFactKind::kColor}, check)},
   };
 }

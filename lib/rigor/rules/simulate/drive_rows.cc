@@ -16,7 +16,6 @@ std::span<const Row> drive_rows() {
       {.rule = {"simulate-wheels-idle", FactKind::kWheelsMiss, Severity::kWarning},
        .message =
            [](const simulate::Fact& fact) {
-             if (!fact.test.empty()) return "has no wheels that drive it";
              return fact.value > 0 ? "wheels {name} are {value_mm:.3g} mm above the ground"
                                    : "wheels {name} only turn by {limit_deg:.4g}° between limits";
            },
@@ -24,7 +23,7 @@ std::span<const Row> drive_rows() {
        .why = "A wheel that hangs in the air, or that a joint with limits stops after a turn, "
               "drives nothing: no test of driving was run with it.",
        .what_to_do = "Lower the wheels or raise what stands on the ground instead; make their "
-                     "joints `continuous`; name wheels with `--wheels` that are not found."},
+                     "joints `continuous`."},
       {.rule = {"simulate-drive-slips", FactKind::kDriveSlips, Severity::kError},
        .message = "travels a distance {value_percent:.3g} % off what its wheels roll (limit "
                   "{limit_percent:.3g} %)",

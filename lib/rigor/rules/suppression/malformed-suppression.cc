@@ -4,7 +4,7 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/suppression_comment.h>
+#include <rigor/rules/suppression/suppression_comment.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::malformed_suppression {

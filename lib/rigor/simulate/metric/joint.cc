@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include <rigor/simulate/footprint.h>
-#include <rigor/simulate/joint_cycles.h>
 #include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/run.h>
+#include <rigor/simulate/scene/joint_cycles.h>
 
 namespace rigor::simulate {
 namespace {

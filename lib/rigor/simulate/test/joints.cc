@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/simulate/joint_cycles.h>
 #include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/scene/joint_cycles.h>
 
 namespace rigor::simulate {
 namespace {

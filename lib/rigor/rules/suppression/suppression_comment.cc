@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/suppression_comment.h>
+#include <rigor/rules/suppression/suppression_comment.h>
 
 #include <algorithm>
 #include <array>

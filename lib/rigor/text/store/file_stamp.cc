@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/text/file_stamp.h>
+#include <rigor/text/store/file_stamp.h>
 
 #include <chrono>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/joint_cycles.h>
+#include <rigor/simulate/scene/joint_cycles.h>
 
 #include <algorithm>
 #include <array>
