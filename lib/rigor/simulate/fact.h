@@ -81,7 +81,7 @@ enum class FactKind : std::uint8_t {
   kEnginesDiffer,  ///< `name` says in what; `help`, what explains it
   kNoMotor,        ///< of a model: no motor holds its joints, which `name` lists; `value`: how many
   kHeldUp,         ///< it does not stand by itself, and was judged with its base held
-  /// Wheels that cannot drive: `name`: which and why, in words; `value`: m above the ground, or zero.
+  /// Wheels that cannot drive: `name`: which; `value`: m above the ground, or 0 where `limit` (rad) is all they turn.
   kWheelsMiss,
   kAssertion,  ///< of a scenario; `name` is the assertion's
   // Why, found in the model (simulate/advice/advice.h). They go along with what a run shows.

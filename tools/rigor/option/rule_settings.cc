@@ -176,10 +176,11 @@ bool RuleSettings::fails(const std::string& path, Severity severity) const {
 }
 
 bool RuleSettings::fails(const std::string& path, const Diagnostics& found) const {
+  const std::optional<Severity> level = fail_on(path);
   const auto& all = found.list();
-  return std::any_of(all.begin(), all.end(), [&](const Diagnostic& diagnostic) {
-    return fails(path, diagnostic.severity);
-  });
+  return level && std::any_of(all.begin(), all.end(), [&](const Diagnostic& diagnostic) {
+           return diagnostic.severity <= *level;
+         });
 }
 
 }  // namespace rigor::tool

@@ -67,10 +67,9 @@ Json composed_definitions(const State& state, const Cursor& cursor) {
   return list.empty() ? Json() : list;
 }
 
-/// The name to change: where an expression composes it, the whole one, when it is one alone.
-std::optional<NameAt> renamable_at(Analysis& analysis, std::uint32_t offset,
-                                   const std::vector<std::string>& files) {
-  if (auto name = name_at(analysis, offset)) return name;
+/// The whole name that an expression composes; a RequestError where it composes several.
+std::optional<NameAt> composed_name_at(Analysis& analysis, std::uint32_t offset,
+                                       const std::vector<std::string>& files) {
   std::vector<NameAt> composed = composed_names_at(analysis, offset, files);
   std::string several;
   for (const NameAt& each : composed) {
@@ -152,8 +151,9 @@ Json prepared_rename(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
   Analysis& analysis = document.analysis(state.environment());
   if (!analysis.written().complete()) return nullptr;
-  const auto name = renamable_at(analysis, offset_in(document, member(params, "position")),
-                                 workspace_files(state, document));
+  const std::uint32_t offset = offset_in(document, member(params, "position"));
+  auto name = name_at(analysis, offset);
+  if (!name) name = composed_name_at(analysis, offset, workspace_files(state, document));
   if (!name) return nullptr;
   return {{"range", range_json(document.lines(), name->where)}, {"placeholder", name->text}};
 }
@@ -165,8 +165,9 @@ Json rename(State& state, const Json& params) {
     throw RequestError(ErrorCode::kRequestFailed, "the document is not well-formed XML");
   const author::WorkspaceFiles files = files_of_workspace(state, document);
   add_robots(fresh.names(), files.models);
-  const auto name =
-      renamable_at(fresh, offset_in(document, member(params, "position")), files.models);
+  const std::uint32_t offset = offset_in(document, member(params, "position"));
+  auto name = name_at(fresh, offset);
+  if (!name) name = composed_name_at(fresh, offset, files.models);
   if (!name)
     throw RequestError(ErrorCode::kRequestFailed, "nothing here has a name that can be changed");
   const author::RenameContext context{fresh.names(), state.environment().resolver, fresh.sources()};
